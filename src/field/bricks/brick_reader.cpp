@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/bricks/brick_reader.h"
 
-#include "base/error.h"
 #include "field/bricks/non_finite.h"
 #include "volume/grid/visit_type.h"
 
@@ -77,24 +76,6 @@ void repeatBorder(std::vector<std::byte>& texels, int side, glm::ivec3 filled, s
 
 } // namespace
 
-BrickTexels brickTexels(volume::ScalarType type) {
-    switch (type) {
-    case volume::ScalarType::UInt8:
-        return {gl::Format::R8, 255, 0};
-    case volume::ScalarType::Int8:
-        return {gl::Format::R8, 255, -128};
-    case volume::ScalarType::UInt16:
-        return {gl::Format::R16, 65535, 0};
-    case volume::ScalarType::Int16:
-        return {gl::Format::R16, 65535, -32768};
-    case volume::ScalarType::UInt32:
-    case volume::ScalarType::Int32:
-    case volume::ScalarType::Float32:
-        break;
-    }
-    return {gl::Format::R32F, 1, 0};
-}
-
 BrickReader::BrickReader(std::shared_ptr<const volume::BrickSource> source, std::vector<BrickGrid> grids,
                          std::size_t cacheBytes, int threads)
     : source_(std::move(source)), grids_(std::move(grids)), cache_(cacheBytes) {
@@ -156,9 +137,12 @@ void BrickReader::work(const std::stop_token& stop) {
 
 ReadBrick BrickReader::read(const BrickKey& key) {
     try {
-        return {key, texelsOf(key), {}};
+        ReadBrick brick{key, texelsOf(key), {}, {}};
+        brick.ranges =
+            rangesOf(brick.texels, grids_[std::size_t(key.level)].side, brickTexels(source_->type()));
+        return brick;
     } catch (const std::exception& error) {
-        return {key, {}, error.what()};
+        return {key, {}, {}, error.what()};
     }
 }
 

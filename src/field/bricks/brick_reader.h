@@ -2,7 +2,8 @@
 #pragma once
 
 #include "field/bricks/brick_cache.h"
-#include "gl/texture.h"
+#include "field/bricks/brick_ranges.h"
+#include "field/bricks/brick_texels.h"
 #include "volume/grid/brick_source.h"
 
 #include <condition_variable>
@@ -16,18 +17,11 @@
 
 namespace vs::field {
 
-// How values of a type become texels: value = texel * scale + offset, as field::Field has them.
-struct BrickTexels {
-    gl::Format format = gl::Format::R8;
-    float valueScale = 1;
-    float valueOffset = 0;
-};
-BrickTexels brickTexels(volume::ScalarType type);
-
 // A brick that has been read.
 struct ReadBrick {
     BrickKey key;
     std::vector<std::byte> texels; // texels()^3 of its grid, x fastest; none where reading it failed
+    BrickRanges ranges;            // what samples of these can have
     std::string failure;           // why, in one line
 };
 

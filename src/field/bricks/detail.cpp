@@ -55,9 +55,10 @@ Detail::Detail(const std::shared_ptr<const volume::BrickSource>& source, const v
       pool_(options.side + 1, texels_.format, options.deviceBytes, mostBricks(grids_)),
       block_(sizeof(BricksBlock), "bricks") {
     while (finest_ + 1 < int(grids_.size()) &&
-           grids_[std::size_t(finest_)].count() > gl::TexelBuffer::mostTexels()) {
+           2 * grids_[std::size_t(finest_)].count() > gl::TexelBuffer::mostTexels()) {
         ++finest_;
     }
+    ranges_.resize(grids_.size());
     use(finest_);
 }
 
@@ -90,6 +91,11 @@ std::optional<int> Detail::coarserThan(int level) const {
     return hasCoarser ? std::optional(level + 1) : std::nullopt;
 }
 
+bool Detail::hasTellingRanges(int macrocell) const {
+    const glm::dvec3 size = double(macrocell) * grids_[std::size_t(level_)].perSceneVoxel;
+    return !options_.areRangesKnown || glm::all(glm::greaterThanEqual(size, glm::dvec3(1.99 * kBrickCell)));
+}
+
 void Detail::tell(const std::string& line) {
     const bool isKnown = std::find(failures_.begin(), failures_.end(), line) != failures_.end();
     if (!isKnown && failures_.size() < kMostFailures) {
@@ -116,9 +122,11 @@ void Detail::writeBlock() {
     block.levelScale = glm::vec4(grid.perSceneVoxel, step());
     block.levelOrigin = glm::vec4(grid.origin, 1.0 / grid.side);
     block.levelDims = glm::ivec4(grid.dims, grid.side);
-    block.brickCounts = glm::ivec4(grid.counts(), 0);
+    block.brickCounts = glm::ivec4(grid.counts(), grid.count());
     block.poolScale = glm::vec4(1.0F / pool, float(grid.texels()));
     block.brickValue = {texels_.valueScale, texels_.valueOffset, 0, 0};
+    const bool hasCells = tableWords() > 2 * grid.count();
+    block.brickCells = {glm::ivec2(pool_.slots()), 2 * grid.count(), hasCells ? cellsAlong(grid.side) : 0};
     block_.writeValue(block);
 }
 
@@ -205,6 +213,7 @@ void Detail::makeRoomFor(BrickLayer layer) {
         over.laid.clear();
         over.laidOverAll = {};
     }
+    cells_.clear();
     writeBlock();
     writePages();
 }
@@ -223,6 +232,18 @@ void Detail::lay(BrickLayer layer, const std::shared_ptr<const BrickOverlay>& ov
     }
 }
 
+std::size_t Detail::cellWordsOfSlot() const {
+    const auto along = std::size_t(cellsAlong(options_.side));
+    return along * along * along;
+}
+
+// Pages and ranges of the level's bricks, and the ranges of cells, if the device has room for those too.
+std::size_t Detail::tableWords() const {
+    const std::size_t bricks = 2 * grids_[std::size_t(level_)].count();
+    const std::size_t all = bricks + pool_.slotCount() * cellWordsOfSlot();
+    return all <= gl::TexelBuffer::mostTexels() ? all : bricks;
+}
+
 void Detail::writePages() {
     const BrickGrid& grid = grids_[std::size_t(level_)];
     pageOf_.assign(grid.count(), kNotThere);
@@ -236,17 +257,48 @@ void Detail::writePages() {
             pageOf_[std::size_t(key.place)] = pageOf(slot);
         }
     });
-    if (pages_.texels() < pageOf_.size()) {
-        pages_ = gl::TexelBuffer(pageOf_.size(), gl::Format::R32UI, "pages of bricks");
+    auto& ranges = ranges_[std::size_t(level_)];
+    ranges.resize(grid.count(), kAnyValue);
+    cells_.resize(pool_.slotCount() * cellWordsOfSlot(), kAnyValue);
+    if (pages_.texels() < tableWords()) {
+        pages_ = gl::TexelBuffer(tableWords(), gl::Format::R32UI, "pages of bricks");
+    }
+    if (uses_.size() < pageOf_.size() * sizeof(std::uint32_t)) {
         uses_ = gl::Buffer(pageOf_.size() * sizeof(std::uint32_t), "uses of bricks");
     }
     pages_.write(std::as_bytes(std::span(pageOf_)), 0);
+    pages_.write(std::as_bytes(std::span(ranges)), grid.count());
+    if (tableWords() > 2 * grid.count()) {
+        pages_.write(std::as_bytes(std::span(cells_)), 2 * grid.count());
+    }
     uses_.clear();
 }
 
 void Detail::setPage(int place, std::uint32_t page) {
     pageOf_[std::size_t(place)] = page;
     pages_.write(std::as_bytes(std::span(&page, 1)), std::size_t(place));
+}
+
+// What a brick holds stays known when it is no longer there.
+void Detail::noteRanges(const ReadBrick& brick) {
+    auto& ranges = ranges_[std::size_t(brick.key.level)];
+    ranges.resize(grids_[std::size_t(brick.key.level)].count(), kAnyValue);
+    ranges[std::size_t(brick.key.place)] = brick.ranges.all;
+    if (brick.key.level == level_) {
+        pages_.write(std::as_bytes(std::span(&brick.ranges.all, 1)),
+                     ranges.size() + std::size_t(brick.key.place));
+    }
+}
+
+void Detail::placeCells(const ReadBrick& brick, glm::ivec3 slot) {
+    const glm::ivec3 slots = pool_.slots();
+    const auto number = std::size_t((slot.z * slots.y + slot.y) * slots.x + slot.x);
+    std::copy(brick.ranges.cells.begin(), brick.ranges.cells.end(),
+              cells_.begin() + std::ptrdiff_t(number * cellWordsOfSlot()));
+    const std::size_t begin = 2 * pageOf_.size();
+    if (tableWords() > begin) {
+        pages_.write(std::as_bytes(std::span(brick.ranges.cells)), begin + number * cellWordsOfSlot());
+    }
 }
 
 void Detail::bind(const Layers& layers) {
@@ -312,6 +364,7 @@ bool Detail::deliver(double waitMs) {
             hasChanged = true;
             continue;
         }
+        noteRanges(brick);
         if (pool_.find(brick.key)) {
             continue;
         }
@@ -320,6 +373,7 @@ bool Detail::deliver(double waitMs) {
             isFull_ = true; // it is in the host's cache, and comes again when it is asked for again
             continue;
         }
+        placeCells(brick, put->slot);
         for (const BrickLayer layer : kBrickLayers) {
             Over& over = overIn(layer);
             if (put->goneInstead) {

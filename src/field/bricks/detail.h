@@ -25,14 +25,17 @@ struct BricksBlock {
                                // in one of the level
     glm::vec4 levelOrigin{0};  // xyz: + this, w: 1 / side of a brick
     glm::ivec4 levelDims{1};   // xyz: voxels of the level, w: side of a brick
-    glm::ivec4 brickCounts{1}; // xyz: bricks
+    glm::ivec4 brickCounts{1}; // xyz: bricks, w: all of them
     glm::vec4 poolScale{1};    // xyz: 1 / texels of the pool, w: texels of a slot
     glm::vec4 brickValue{1};   // x scale, y offset
+    glm::ivec4 brickCells{1};  // xy: slots of the pool, z: where ranges of cells begin, w: cells of a brick
+                               // along each axis, 0 if theirs are not there
 };
 inline constexpr gl::BlockMember kBricksBlockMembers[] = {
     VS_BLOCK_MEMBER(BricksBlock, levelScale), VS_BLOCK_MEMBER(BricksBlock, levelOrigin),
     VS_BLOCK_MEMBER(BricksBlock, levelDims),  VS_BLOCK_MEMBER(BricksBlock, brickCounts),
-    VS_BLOCK_MEMBER(BricksBlock, poolScale),  VS_BLOCK_MEMBER(BricksBlock, brickValue)};
+    VS_BLOCK_MEMBER(BricksBlock, poolScale),  VS_BLOCK_MEMBER(BricksBlock, brickValue),
+    VS_BLOCK_MEMBER(BricksBlock, brickCells)};
 inline constexpr gl::BlockLayout kBricksBlockLayout{"BricksBlock", sizeof(BricksBlock), kBricksBlockMembers};
 static_assert(isWhole(kBricksBlockLayout));
 
@@ -41,6 +44,8 @@ struct DetailOptions {
     std::size_t hostBytes = std::size_t(256) << 20;   // and values of bricks on the host
     int side = 64;                                    // voxels of a brick along each axis
     int threads = 2;                                  // that read
+    // What the finest level holds is known voxel by voxel, and the macrocells say it.
+    bool areRangesKnown = false;
     // The scene's own resolution is looked up in bricks too, for tests.
     bool hasOwnLevel = false;
 };
@@ -49,7 +54,9 @@ struct DetailOptions {
 // any of them share a pool on the device. A program that is compiled with BRICKS looks up bricks of one level
 // (use()); it notes which ones it came through, and where one is not there it takes the scene's own value and
 // remembers that it did. Who dispatched it then asks for what was missing, and dispatches again what is not
-// exact when that has come. All calls but the reader's own threads need a current context.
+// exact when that has come. Of bricks that have been read it is known what values they hold, and of those on
+// the device also where: rays go past what cannot be seen, and need not have it. All calls but the reader's
+// own threads need a current context.
 class Detail {
 public:
     // Levels of `source` that are finer than the scene's grid and lie as it does. Throws Error where there is
@@ -72,6 +79,10 @@ public:
     [[nodiscard]] bool isFiner() const { return grids_[std::size_t(level_)].isFiner(); }
     // One of its steps, in steps of the scene: 0.25 for a level four times as fine.
     [[nodiscard]] double step() const { return grids_[std::size_t(level_)].step; }
+    // Whether rays should go by what bricks hold (programs compiled with BRICK_RANGES), and not only by
+    // macrocells of so many voxels of the scene along each axis: where these do not know it, or are much
+    // larger than the cells of bricks.
+    [[nodiscard]] bool hasTellingRanges(int macrocell) const;
     // Which layers a program looks up besides: compiled with FINER_CUTS and FINER_SEGMENTS.
     struct Layers {
         bool hasCuts = false;
@@ -116,6 +127,10 @@ private:
     void layOverAll(BrickLayer layer);
     void makeRoomFor(BrickLayer layer);
     void setPage(int place, std::uint32_t page);
+    void noteRanges(const ReadBrick& brick);
+    void placeCells(const ReadBrick& brick, glm::ivec3 slot);
+    [[nodiscard]] std::size_t cellWordsOfSlot() const;
+    [[nodiscard]] std::size_t tableWords() const;
     void writeBlock();
     void writePages();
 
@@ -139,9 +154,12 @@ private:
     [[nodiscard]] const Over& overIn(BrickLayer layer) const { return over_[std::size_t(layer)]; }
     [[nodiscard]] Over& overIn(BrickLayer layer) { return over_[std::size_t(layer)]; }
     gl::Buffer block_;
-    gl::TexelBuffer pages_;
+    gl::TexelBuffer
+        pages_; // of the level in use, behind them its bricks' ranges, and those of all slots' cells
     gl::Buffer uses_;
-    std::vector<std::uint32_t> pageOf_; // of the level in use, as pages_ has them
+    std::vector<std::uint32_t> pageOf_;              // as pages_ has them
+    std::vector<std::vector<std::uint32_t>> ranges_; // of each level's bricks, as far as they are known
+    std::vector<std::uint32_t> cells_;               // of slots of the pool
     std::set<BrickKey> failed_;
     std::vector<std::string> failures_;
     std::size_t bricksRead_ = 0;

@@ -4,25 +4,63 @@
 // `isBrickMissing` tells that the invocation has met such a place. Included by scene.glsl.
 
 layout(std140, binding = kBricksBlock) uniform BricksBlock {
-    vec4 levelScale;  // xyz place in the level = place in the scene * this, w steps of the scene in one of
-                      // the level's
-    vec4 levelOrigin; // xyz + this, w 1 / side of a brick
-    ivec4 levelDims;  // xyz voxels of the level, w side of a brick
-    ivec4 brickCounts;
-    vec4 poolScale;  // xyz 1 / texels of the pool, w texels of a slot
-    vec4 brickValue; // x scale, y offset
+    vec4 levelScale;   // xyz place in the level = place in the scene * this, w steps of the scene in one of
+                       // the level's
+    vec4 levelOrigin;  // xyz + this, w 1 / side of a brick
+    ivec4 levelDims;   // xyz voxels of the level, w side of a brick
+    ivec4 brickCounts; // w all of them
+    vec4 poolScale;    // xyz 1 / texels of the pool, w texels of a slot
+    vec4 brickValue;   // x scale, y offset
+    ivec4 brickCells;  // xy slots of the pool, z where ranges of cells begin, w cells of a brick along each
+                       // axis, 0 if theirs are not there
 };
 
 // Of each brick of the level: 0 it is not there, 1 it never will be, else where its slot lies, ten bits an
-// axis, and the highest one.
+// axis, and the highest one. Behind them, of each brick too, the range of its values (rangeOf()); behind
+// these, of each slot of the pool, the ranges of the cells of the brick that lies in it.
 layout(binding = kBrickPagesTexture) uniform usamplerBuffer brickPages;
 layout(binding = kBrickPoolTexture) uniform sampler3D brickPool;
 layout(std430, binding = kBrickUsesStorage) writeonly buffer BrickUses { uint brickUses[]; };
+
+const int kBrickCell = 8; // voxels of a cell along each axis, as in field/bricks/brick_ranges.h
 
 int lastBrick = -1;
 bool isBrickMissing = false;
 
 vec3 levelFromVoxel(vec3 p) { return p * levelScale.xyz + levelOrigin.xyz; }
+
+int brickNumber(ivec3 brick) { return (brick.z * brickCounts.y + brick.y) * brickCounts.x + brick.x; }
+uvec3 slotOf(uint page) { return uvec3(page, page >> 10, page >> 20) & 0x3ffu; }
+
+// The smallest and the largest value that samples can have.
+vec2 rangeOf(uint word) { return uintBitsToFloat(uvec2(word << 16, word & 0xffff0000u)); }
+
+// A box of the level's voxel space, and what samples in it can have.
+struct Held {
+    vec2 range;
+    vec3 lower;
+    vec3 upper;
+};
+
+// What the brick holds that has a place in it. Anything, if it was never read.
+Held heldByBrick(ivec3 brick) {
+    vec3 lower = vec3(brick * levelDims.w);
+    uint word = texelFetch(brickPages, brickCounts.w + brickNumber(brick)).r;
+    return Held(rangeOf(word), lower, lower + float(levelDims.w));
+}
+
+// What the brick's cell holds that has a place in it. Anything, if the brick is not there.
+Held heldByCell(ivec3 brick, vec3 q) {
+    uint page = texelFetch(brickPages, brickNumber(brick)).r;
+    ivec3 slot = ivec3(slotOf(page));
+    ivec3 first = brick * levelDims.w;
+    ivec3 cell = clamp((ivec3(q) - first) / kBrickCell, ivec3(0), ivec3(brickCells.w - 1));
+    int place = ((slot.z * brickCells.y + slot.y) * brickCells.x + slot.x) * brickCells.w;
+    place = ((place + cell.z) * brickCells.w + cell.y) * brickCells.w + cell.x;
+    vec2 range = rangeOf(texelFetch(brickPages, brickCells.z + place).r);
+    vec3 lower = vec3(first + cell * kBrickCell);
+    return Held(page >= 2u ? range : vec2(-1e38, 1e38), lower, lower + float(kBrickCell));
+}
 
 // Where in the pool a place in the level's voxel space is found: the first texel of its brick's slot, and
 // what lies between that and the place, in texels; false: its brick is not there. Loops instead of branches:
@@ -30,7 +68,7 @@ vec3 levelFromVoxel(vec3 p) { return p * levelScale.xyz + levelOrigin.xyz; }
 bool findInPool(vec3 q, out vec3 slot, out vec3 inBrick) {
     vec3 inside = clamp(q, vec3(0.0), vec3(levelDims.xyz - 1));
     ivec3 brick = ivec3(inside * levelOrigin.w);
-    int number = (brick.z * brickCounts.y + brick.y) * brickCounts.x + brick.x;
+    int number = brickNumber(brick);
     uint page = texelFetch(brickPages, number).r;
     bool isNew = number != lastBrick;
     while (isNew) {
@@ -40,7 +78,7 @@ bool findInPool(vec3 q, out vec3 slot, out vec3 inBrick) {
         isNew = false;
     }
     inBrick = max(inside - vec3(brick * levelDims.w), 0.0);
-    slot = vec3(uvec3(page, page >> 10, page >> 20) & 0x3ffu) * poolScale.w;
+    slot = vec3(slotOf(page)) * poolScale.w;
     return page >= 2u;
 }
 

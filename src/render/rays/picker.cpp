@@ -37,6 +37,7 @@ gl::Defines definesFor(const Frame& frame, Picker::Meets meets) {
         {"TRICUBIC", scene.sampling == field::Sampling::Tricubic},
         {"QUADS", bool(searched.quads) && frame.detail == nullptr},
         {"BRICKS", frame.detail != nullptr},
+        {"BRICK_RANGES", frame.detail != nullptr && frame.detail->hasTellingRanges(field::kCell)},
         {"FINER", frame.detail != nullptr && frame.detail->isFiner()},
         {"FETCHED", frame.detail != nullptr},
         {"FINER_CUTS", layersOf(frame).hasCuts},

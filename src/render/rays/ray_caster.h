@@ -75,7 +75,8 @@ struct Frame {
     field::Detail* detail = nullptr;
     const Macrocells* macrocells = nullptr;
     // Where segments may be, whatever else is there: overlay and volume mode look for their surfaces in these
-    // cells only, most of which are empty. Null: wherever something may be.
+    // cells only, most of which are empty, and segment mode in finer levels goes by the data alone elsewhere.
+    // Null: wherever something may be.
     const Macrocells* segmentCells = nullptr;
     // Colours all modes, and says what is opaque in volume mode, which needs one. Null: ivory surfaces, white
     // rays.

@@ -99,7 +99,9 @@ void RayCaster::bindPart(const Part& part) {
     if (frame_.mode == Mode::Mip) {
         part.slabs.bind();
     }
-    if (frame_.mode == Mode::Overlay || frame_.mode == Mode::Volume) {
+    const bool looksForSegments = frame_.mode == Mode::Overlay || frame_.mode == Mode::Volume ||
+                                  (frame_.mode == Mode::Segment && frame_.detail != nullptr);
+    if (looksForSegments) {
         const Macrocells* cells = part.segmentCells != nullptr ? part.segmentCells : part.macrocells;
         cells->distances().bindTexture(kSegmentCellDistancesTexture);
     }

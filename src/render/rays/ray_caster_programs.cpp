@@ -44,6 +44,7 @@ gl::Defines RayCaster::definesFor(const Frame& frame) {
         {"PARTS", !frame.pasted.empty() || !frame.pulled.empty()},
         {"QUADS", bool(searched.quads) && frame.detail == nullptr},
         {"BRICKS", frame.detail != nullptr},
+        {"BRICK_RANGES", frame.detail != nullptr && frame.detail->hasTellingRanges(field::kCell)},
         {"FINER", frame.detail != nullptr && frame.detail->isFiner()},
         {"FINER_CUTS", layersOf(frame).hasCuts},
         {"FINER_SEGMENTS", layersOf(frame).hasSegments},

@@ -180,7 +180,7 @@ vec4 compositeAlong(Ray ray, float dt, float jitter, out float depth) {
             float begin = walk.from;
             float skip;
             do {
-                skip = emptyUntil(ray, begin, inverseDirection);
+                skip = noDataUntil(ray, begin, inverseDirection);
                 begin += skip;
             } while (skip > 0.0 && begin < ray.tEnd);
             float last = ceil(begin / dt - jitter) - 1.0;

@@ -1,7 +1,9 @@
 // Rays of the current view, in voxel space, and walking along them.
 // A ray's parameter t counts steps: one step is the smallest voxel spacing in mm, so dt = 0.5 samples twice
 // per voxel. Bindings: uniform block 1 (render::ViewBlock), texture 3 macrocell distances, with SEGMENT_CELLS
-// 11 those of cells where segments may be. Include "field/shaders/scene.glsl" first.
+// or DATA_BESIDE_SEGMENTS 11 those of cells where segments may be. DATA_BY_FUNCTION: a transfer function says
+// what of the data can be seen, not the displayed range. BRICK_RANGES: see cast_rays.comp. Include
+// "field/shaders/scene.glsl" first.
 
 #include "render/shaders/bindings.glsl"
 layout(std140, binding = kViewBlock) uniform ViewBlock {
@@ -20,7 +22,7 @@ layout(std140, binding = kViewBlock) uniform ViewBlock {
 };
 
 layout(binding = kCellDistancesTexture) uniform usampler3D cellDistances;
-#ifdef SEGMENT_CELLS
+#if defined(SEGMENT_CELLS) || defined(DATA_BESIDE_SEGMENTS)
 layout(binding = kSegmentCellDistancesTexture) uniform usampler3D segmentCellDistances;
 #endif
 
@@ -96,12 +98,85 @@ float emptyUntil(Ray ray, float t, vec3 inverseDirection) {
     return distance > 0 ? leaveCells(ray, t, cell, distance, inverseDirection) : 0.0;
 }
 
-// The same for what surfaces are looked for: of segments alone there may be other cells.
-float noSurfaceUntil(Ray ray, float t, vec3 inverseDirection) {
-#ifdef SEGMENT_CELLS
+#if defined(BRICK_RANGES) && !defined(TRICUBIC) // whose samples reach beyond a cell's
+#define GOES_BY_BRICKS
+#ifdef DATA_BY_FUNCTION
+bool mayBeVisible(float lo, float hi); // classification.glsl
+bool mayDataBeSeen(vec2 values) { return mayBeVisible(values.x, values.y); }
+#else
+bool mayDataBeSeen(vec2 values) {
+    return values.y >= range.x - valueScale.w && values.x <= limits.x + limits.w;
+}
+#endif
+
+// How far from t the ray goes until it has left a box of the sampled level's voxel space; what lies outside
+// of the grid belongs to the boxes at its border.
+float leaveBox(Ray ray, float t, vec3 lower, vec3 upper, vec3 inverseDirection) {
+    const float hair = 3e-4; // see leaveCells()
+    const float outside = 1e5;
+    vec3 lowerFace = (lower - levelOrigin.xyz) / levelScale.xyz - hair;
+    vec3 upperFace = (upper - levelOrigin.xyz) / levelScale.xyz + hair;
+    lowerFace = mix(lowerFace, vec3(-outside), lessThanEqual(lower, vec3(0.0)));
+    upperFace = mix(upperFace, vec3(outside), greaterThanEqual(upper, vec3(levelDims.xyz - 1)));
+    vec3 face = mix(lowerFace, upperFace, greaterThan(ray.direction, vec3(0.0)));
+    vec3 exits = (face - ray.origin) * inverseDirection;
+    return max(min(min(exits.x, exits.y), exits.z) - t, max(1e-3, 2e-7 * t));
+}
+
+// How far from t the ray can go without meeting data that may be seen, by what is known of bricks; 0 if it
+// may meet some at once.
+float unseenInBricks(Ray ray, float t, vec3 inverseDirection) {
+    vec3 q = clamp(levelFromVoxel(at(ray, t)), vec3(0.0), vec3(levelDims.xyz - 1));
+    ivec3 brick = ivec3(q * levelOrigin.w);
+    Held held = heldByBrick(brick);
+    bool isUnseen = !mayDataBeSeen(held.range);
+    bool asksCell = !isUnseen && brickCells.w > 0;
+    while (asksCell) {
+        held = heldByCell(brick, q);
+        isUnseen = !mayDataBeSeen(held.range);
+        asksCell = false;
+    }
+    return isUnseen ? leaveBox(ray, t, held.lower, held.upper, inverseDirection) : 0.0;
+}
+#endif
+
+// How far from t the ray can go without meeting data that may be seen.
+float noDataUntil(Ray ray, float t, vec3 inverseDirection) {
+    float skip = emptyUntil(ray, t, inverseDirection);
+#ifdef GOES_BY_BRICKS
+    bool asksBricks = skip == 0.0;
+    while (asksBricks) {
+        skip = unseenInBricks(ray, t, inverseDirection);
+        asksBricks = false;
+    }
+#endif
+    return skip;
+}
+
+#if defined(SEGMENT_CELLS) || defined(DATA_BESIDE_SEGMENTS)
+// How far from t the ray can go without meeting a cell where segments may be; 0 if the one at t is one.
+float noSegmentUntil(Ray ray, float t, vec3 inverseDirection) {
     ivec3 cell = cellAt(at(ray, t));
     int distance = int(texelFetch(segmentCellDistances, cell, 0).r);
     return distance > 0 ? leaveCells(ray, t, cell, distance, inverseDirection) : 0.0;
+}
+#endif
+
+// How far from t the ray can go without meeting what surfaces are looked for in. SEGMENT_CELLS: segments
+// alone. DATA_ONLY: the data alone. DATA_BESIDE_SEGMENTS: one or the other.
+float noSurfaceUntil(Ray ray, float t, vec3 inverseDirection) {
+#if defined(SEGMENT_CELLS)
+    return noSegmentUntil(ray, t, inverseDirection);
+#elif defined(DATA_ONLY)
+    return noDataUntil(ray, t, inverseDirection);
+#elif defined(DATA_BESIDE_SEGMENTS) && defined(GOES_BY_BRICKS)
+    float skip = emptyUntil(ray, t, inverseDirection);
+    bool asksBricks = skip == 0.0;
+    while (asksBricks) {
+        skip = min(noSegmentUntil(ray, t, inverseDirection), noDataUntil(ray, t, inverseDirection));
+        asksBricks = false;
+    }
+    return skip;
 #else
     return emptyUntil(ray, t, inverseDirection);
 #endif

@@ -108,7 +108,7 @@ vec4 integralAlong(Ray ray, float tEnd) {
         // Whole steps only, so that the samples stay evenly spaced across a skip.
         float skip;
         do {
-            skip = emptyUntil(ray, t, inverseDirection);
+            skip = noDataUntil(ray, t, inverseDirection);
             t = skip > 0.0 ? nextSample(t + skip, lattice.x, lattice.y) : t;
         } while (skip > 0.0 && t < tEnd);
         for (int i = 0; i < batch; ++i) {

@@ -242,8 +242,13 @@ void Sculpture::refine(std::unique_ptr<FineSculpture> finer) {
     }
     const bool isCut = !isEmpty();
     finer_ = std::move(finer);
-    if (isCut) {
-        refresh({glm::ivec3(0), dims_});
+    try {
+        if (isCut) {
+            refresh({glm::ivec3(0), dims_});
+        }
+    } catch (...) {
+        finer_.reset();
+        throw;
     }
 }
 

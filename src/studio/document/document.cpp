@@ -48,14 +48,15 @@ void Document::showFinerLevels(const FinerLevels& levels) {
                                   : field::finerCellRanges(scan.inFile.dims, finest, levels.extremes,
                                                            ofScene ? &*ofScene : nullptr);
     if (finest.isFiner()) {
+        Cutter::Finer finer = impl_->cutter.makeFiner(scan.field);
         contents.sculpture.refine(
             std::make_unique<sculpt::FineSculpture>(finest, contents.sculpture.precision()));
-        impl_->cutter.refine(scan.field, *detail);
+        // From here on nothing fails.
+        impl_->cutter.refine(std::move(finer), *detail);
         if (!contents.region.exists()) {
             contents.region.refine({source, finest, levels.options.hostBytes / 2, levels.options.threads});
         }
     }
-    // From here on nothing fails.
     impl_->display.showFiner(*detail, std::move(cells));
     scan.levels = source;
     scan.detail = std::move(detail);

@@ -96,6 +96,7 @@ std::optional<FinerLevels> finerLevels(FinerLevels finer, const volume::Volume& 
     finer.source = store;
     finer.extremes = store->extremes();
     finer.isAllKnown = isAllKnown(finer.extremes);
+    finer.options.areRangesKnown = finer.isAllKnown;
     if (!finer.isAllKnown) {
         notices.push_back(
             fmt::format("{}: what is where in its finer levels is not known before they are read, "
@@ -157,6 +158,7 @@ std::optional<FinerLevels> finerLevels(const volume::Volume& scan, const volume:
     FinerLevels finer{nullptr, {}, optionsFor(room, workBytes(scan.geometry, scan.type), scan.type)};
     finer.options.hasOwnLevel = ofBricks;
     if (!hasLevels) {
+        finer.options.areRangesKnown = true; // macrocells are of its own voxels
         return finer;
     }
     try {

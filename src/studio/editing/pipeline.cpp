@@ -231,7 +231,7 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     refresh(cells_, key, state, frame, isSculpted ? &state.sculpture->cells() : nullptr,
             segmentation_ ? &*segmentation_ : nullptr);
     frame.macrocells = &cells_.macrocells;
-    if (hasSurfaces && view.mode != render::Mode::Segment) {
+    if (hasSurfaces && (view.mode != render::Mode::Segment || detailFor(state) != nullptr)) {
         refreshSegmentCells(frame.scene.hasFinerSegments);
         frame.segmentCells = &segmentCells_.macrocells;
     }

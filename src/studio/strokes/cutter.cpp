@@ -36,9 +36,13 @@ field::Scene Cutter::restoreScene(const render::Frame& frame) {
     return scene;
 }
 
-void Cutter::refine(const field::Field& field, field::Detail& detail) {
-    rough_ = std::make_unique<Cutter>(field, *sculpture);
-    window_.emplace(sculpture->precision());
+Cutter::Finer Cutter::makeFiner(const field::Field& field) const {
+    return {std::make_unique<Cutter>(field, *sculpture), sculpt::FineWindow(sculpture->precision())};
+}
+
+void Cutter::refine(Finer finer, field::Detail& detail) {
+    rough_ = std::move(finer.rough);
+    window_ = std::move(finer.window);
     detail_ = &detail;
     geometry = &finest_;
     follow(*scene);

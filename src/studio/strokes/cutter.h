@@ -22,9 +22,16 @@ public:
         : tools(field.geometry), solids(field.geometry), sculpture(&target), scene(&field.geometry),
           geometry(&field.geometry) {}
 
+    // What it takes to work on a finer sculpture, made before anything is changed, for the device may have no
+    // room for it.
+    struct Finer {
+        std::unique_ptr<Cutter> rough;
+        sculpt::FineWindow window;
+    };
+    [[nodiscard]] Finer makeFiner(const field::Field& field) const;
     // Tools work on the sculpture's finer one from now on, which it must have, on surfaces that lie in the
     // finest of these levels.
-    void refine(const field::Field& field, field::Detail& detail);
+    void refine(Finer finer, field::Detail& detail);
     // Works on the scene's sculpture all the same, for strokes in hand that have no time for the finest
     // level; null where there is none.
     [[nodiscard]] Cutter* rough() { return rough_.get(); }

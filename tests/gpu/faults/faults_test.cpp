@@ -4,9 +4,11 @@
 // their name ("movie"). With VS_FAULTS_TOLD each one is told before it is tried.
 #include "gpu/faults/acts.h"
 #include "gpu/faults/everything.h"
+#include "gpu/field/two_levels.h"
 #include "gpu/studio/test_labels.h"
 #include "gpu/studio/test_segments.h"
 #include "gpu/studio/test_tools.h"
+#include "studio/document/finer_levels.h"
 #include "studio/document/live_growth.h"
 #include "studio/document/live_stroke.h"
 
@@ -90,6 +92,49 @@ TEST_P(Faults, LeaveTheDocumentAsItWasInTheMidstOfASlider) {
     const Act further{"rewinding further", [](Document& document) { document.rewindFurther(1); }, undo};
     refuseIn({actOf(test::brainSeed(), folder()), actOf(Grow{8}, folder()), scrubbing,
               actOf(ShowGeneration{6}, folder()), replacing(3, 6), replacing(5, 3), further});
+}
+
+// A document that could not be shown its finer levels goes on without them, and can be shown them later.
+TEST_P(Faults, LeaveADocumentWithoutFinerLevelsWhole) {
+    const auto source = std::make_shared<test::TwoLevels>(testHead());
+    FinerLevels levels;
+    levels.source = source;
+    levels.options.side = 16;
+    levels.options.deviceBytes = std::size_t(1) << 22;
+    const Operation cut = test::somePeel(2);
+    Document untouched(source->coarse());
+    untouched.apply(cut);
+    untouched.apply(cut);
+    const auto wanted = contentOf(untouched);
+    std::size_t failed = 0;
+    bool isOver = false;
+    for (std::size_t number = 1; !isOver; number += GetParam() == Memory::Host ? 37 : 1) {
+        Document document(source->coarse());
+        document.apply(cut);
+        try {
+            const test::RefusedAllocation refused(GetParam(), number);
+            document.showFinerLevels(levels);
+            isOver = !refused.hasHappened();
+        } catch (const std::bad_alloc&) {
+        } catch (const GlError&) {
+        }
+        if (isOver) {
+            continue;
+        }
+        if (document.detail() == nullptr) {
+            ++failed;
+            ASSERT_EQ(document.sculpture().finer(), nullptr) << "allocation " << number;
+            document.apply(cut);
+            for (const auto& difference : differences(wanted, contentOf(document), "without", "after")) {
+                ADD_FAILURE() << "allocation " << number << ": " << difference;
+            }
+            document.showFinerLevels(levels);
+        }
+        document.frame({80, 60});
+        document.apply(cut);
+        EXPECT_FALSE(document.sculpture().finer()->isEmpty()) << "allocation " << number;
+    }
+    EXPECT_GT(failed, 3U);
 }
 
 // Growth in portions. Where one throws, those before it can be ended, as one step that can be done again.

@@ -114,6 +114,7 @@ TEST_F(BricksTest, PicturesAreThoseOfOneTexture) {
         const int fewest = fewestBricks(stage.volume.geometry.dims, side);
         options.deviceBytes = bytesFor(fewest + *test::below(60), side, type);
         options.hostBytes = bytesFor(1 + *test::below(100), side, type);
+        options.areRangesKnown = *test::below(3) == 0; // then only macrocells say what can be passed
         field::Detail detail(std::make_shared<LateBricks>(stage.volume, seed), stage.volume.geometry,
                              options);
         stage.frame.detail = &detail;
@@ -208,6 +209,36 @@ TEST_F(BricksTest, AxesThatBecomeNoFinerAskForNothing) {
         EXPECT_EQ(detail.levelFor(0.55 / step), 0) << thickness;
         EXPECT_TRUE(detail.isFiner());
     }
+}
+
+// A store that says nothing of what its levels hold: each brick is read once, and then it is known where
+// nothing can be seen, though there is no room to keep them.
+TEST_F(BricksTest, WhatHoldsNothingThatIsSeenIsReadOnce) {
+    const glm::ivec3 dims(96);
+    const auto fine = phantom::makePhantom(dims, volume::ScalarType::UInt8, [](glm::dvec3 p) {
+        return glm::distance(p, glm::dvec3(20, 24, 28)) < 14 ? 120.0 : 20.0;
+    });
+    const auto source = std::make_shared<TwoLevels>(fine);
+    Stage stage(source->coarse(), {60, 127});
+    field::DetailOptions options;
+    options.side = 8;
+    const int bricks = 12 * 12 * 12;
+    options.deviceBytes = bytesFor(bricks / 4, options.side, volume::ScalarType::UInt8);
+    options.hostBytes = 1;
+    field::Detail detail(source, stage.volume.geometry, options);
+    ASSERT_TRUE(detail.hasTellingRanges(field::kCell));
+    stage.cells = field::finerCellRanges(stage.volume.geometry.dims, detail.grids().front(), {});
+    stage.frame.detail = &detail;
+    for (const double azimuth : {20.0, 110.0, 200.0, 290.0, 20.0}) {
+        stage.look({azimuth, 15, 1.4}, {160, 120});
+        stage.picture(Mode::Surface);
+    }
+    EXPECT_TRUE(detail.failures().empty());
+    const int seen = 6 * 6 * 6; // bricks about the ball, which are read again when they had to make room
+    EXPECT_LE(detail.bricksRead(), std::size_t(bricks + 5 * seen));
+    const std::size_t before = detail.bricksRead();
+    stage.picture(Mode::Surface);
+    EXPECT_EQ(detail.bricksRead(), before);
 }
 
 TEST_F(BricksTest, WhatCannotBeReadIsToldAndShownCoarser) {

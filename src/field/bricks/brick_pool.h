@@ -27,7 +27,7 @@ public:
               const LayerFormats& layers = {});
 
     [[nodiscard]] std::size_t slotCount() const;
-    [[nodiscard]] glm::ivec3 slots() const { return counts_; } // along each axis
+    [[nodiscard]] glm::ivec3 slotCounts() const { return counts_; } // along each axis
     [[nodiscard]] const gl::Texture& texture() const { return texture_; }
     // Null where the layer has no room.
     [[nodiscard]] const gl::Texture& overlay(BrickLayer layer) const {

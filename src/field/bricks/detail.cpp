@@ -126,7 +126,8 @@ void Detail::writeBlock() {
     block.poolScale = glm::vec4(1.0F / pool, float(grid.texels()));
     block.brickValue = {texels_.valueScale, texels_.valueOffset, 0, 0};
     const bool hasCells = tableWords() > 2 * grid.count();
-    block.brickCells = {glm::ivec2(pool_.slots()), 2 * grid.count(), hasCells ? cellsAlong(grid.side) : 0};
+    block.brickCells = {glm::ivec2(pool_.slotCounts()), 2 * grid.count(),
+                        hasCells ? cellsAlong(grid.side) : 0};
     block_.writeValue(block);
 }
 
@@ -291,7 +292,7 @@ void Detail::noteRanges(const ReadBrick& brick) {
 }
 
 void Detail::placeCells(const ReadBrick& brick, glm::ivec3 slot) {
-    const glm::ivec3 slots = pool_.slots();
+    const glm::ivec3 slots = pool_.slotCounts();
     const auto number = std::size_t((slot.z * slots.y + slot.y) * slots.x + slot.x);
     std::copy(brick.ranges.cells.begin(), brick.ranges.cells.end(),
               cells_.begin() + std::ptrdiff_t(number * cellWordsOfSlot()));

@@ -96,7 +96,8 @@ TEST_P(Faults, LeaveTheDocumentAsItWasInTheMidstOfASlider) {
 
 // A document that could not be shown its finer levels goes on without them, and can be shown them later.
 TEST_P(Faults, LeaveADocumentWithoutFinerLevelsWhole) {
-    const auto source = std::make_shared<test::TwoLevels>(testHead());
+    const volume::Volume fine = test::testHead();
+    const auto source = std::make_shared<test::TwoLevels>(fine);
     FinerLevels levels;
     levels.source = source;
     levels.options.side = 16;

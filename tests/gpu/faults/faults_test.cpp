@@ -109,7 +109,7 @@ TEST_P(Faults, LeaveADocumentWithoutFinerLevelsWhole) {
     const auto wanted = contentOf(untouched);
     std::size_t failed = 0;
     bool isOver = false;
-    for (std::size_t number = 1; !isOver; number += GetParam() == Memory::Host ? 37 : 1) {
+    for (std::size_t number = 1; !isOver; number += GetParam() == Memory::Host ? 97 : 1) {
         Document document(source->coarse());
         document.apply(cut);
         try {

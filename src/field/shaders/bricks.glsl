@@ -59,7 +59,8 @@ Held heldByCell(ivec3 brick, vec3 q) {
     place = ((place + cell.z) * brickCells.w + cell.y) * brickCells.w + cell.x;
     vec2 range = rangeOf(texelFetch(brickPages, brickCells.z + place).r);
     vec3 lower = vec3(first + cell * kBrickCell);
-    return Held(page >= 2u ? range : vec2(-1e38, 1e38), lower, lower + float(kBrickCell));
+    vec3 upper = min(lower + float(kBrickCell), vec3(first + levelDims.w)); // the last may be cut short
+    return Held(page >= 2u ? range : vec2(-1e38, 1e38), lower, upper);
 }
 
 // Where in the pool a place in the level's voxel space is found: the first texel of its brick's slot, and

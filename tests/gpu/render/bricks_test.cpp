@@ -118,6 +118,9 @@ TEST_F(BricksTest, PicturesAreThoseOfOneTexture) {
         field::Detail detail(std::make_shared<LateBricks>(stage.volume, seed), stage.volume.geometry,
                              options);
         stage.frame.detail = &detail;
+        if (!options.areRangesKnown) { // rays find by bricks alone where nothing is
+            stage.cells = field::finerCellRanges(stage.volume.geometry.dims, detail.grids().front(), {});
+        }
         const auto inBricks = stage.picture(mode);
         stage.frame.detail = nullptr;
         const auto difference = image::compare(whole, inBricks);

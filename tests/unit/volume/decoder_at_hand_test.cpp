@@ -82,7 +82,7 @@ TEST(DecoderAtHand, MayEndStopOrBeReplacedWhileItWaits) {
     {
         const PretendedDecoder real(folder, "exec " + decoderProgram().string());
         const DecoderAtHand decoder;
-        for (const int signal : {SIGKILL, SIGSEGV, SIGSTOP}) {
+        for (const int signal : {SIGKILL, SIGABRT, SIGSTOP}) {
             const pid_t waiting = waitForOne(decoder);
             ASSERT_EQ(kill(waiting, signal), 0);
             siginfo_t happened{};

@@ -168,15 +168,16 @@ public:
             try {
                 if (const auto* box = std::get_if<BoxRequest>(&*next)) {
                     const auto values = store.read(box->level, box->box);
-                    send(SentValues{values.size()});
+                    send(SentValues{values.size(), store.type()});
                     sendBytes(values);
                 } else if (const auto* wanted = std::get_if<ExtremesRequest>(&*next)) {
                     auto known = store.extremes();
-                    known = !known && wanted->isAllHere ? store.extremesByMissing() : known;
-                    const CellExtremes extremes = known.value_or(CellExtremes());
-                    const auto bytes = std::as_bytes(std::span(extremes.ranges));
-                    send(SentValues{bytes.size(), extremes.side, extremes.cells});
-                    sendBytes(bytes);
+                    if (!known && wanted->isAllHere) {
+                        known = store.extremesByMissing();
+                    }
+                    const CellExtremes extremes = std::move(known).value_or(CellExtremes());
+                    send(SentValues{extremes.ranges.size(), extremes.type, extremes.side, extremes.cells});
+                    sendBytes(extremes.ranges);
                 } else if (const auto* files = std::get_if<FilesRequest>(&*next)) {
                     send(FileNames{files->isOfExtremes ? store.filesOfExtremes()
                                                        : store.filesOf(files->of.level, files->of.box)});

@@ -2,6 +2,11 @@
 #include "field/finer_cells.h"
 
 #include "base/parallel.h"
+#include "volume/grid/visit_type.h"
+
+#include <algorithm>
+#include <limits>
+#include <span>
 
 namespace vs::field {
 
@@ -23,6 +28,41 @@ glm::ivec2 reached(double from, double to, int axis, const BrickGrid& finest,
             std::clamp(int(std::floor(hi / all.side)), 0, last)};
 }
 
+// What the cells of each macrocell have together, of values of type T, two in each.
+template <typename T>
+void gatherRanges(const BrickGrid& finest, const volume::CellExtremes& extremes, glm::ivec3 count,
+                  std::span<glm::vec2> ranges) {
+    const auto* pairs = reinterpret_cast<const T*>(extremes.ranges.data());
+    const auto perRow = std::size_t(extremes.cells.x);
+    const auto spanOf = [&](int cell, int axis) {
+        return reached(cell * kCell, (cell + 1) * kCell, axis, finest, extremes);
+    };
+    inParallel(count.z, [&](int z) {
+        const glm::ivec2 deep = spanOf(z, 2);
+        std::size_t n = std::size_t(z) * std::size_t(count.x) * std::size_t(count.y);
+        for (int y = 0; y < count.y; ++y) {
+            const glm::ivec2 high = spanOf(y, 1);
+            for (int x = 0; x < count.x; ++x, ++n) {
+                const glm::ivec2 wide = spanOf(x, 0);
+                T lo = std::numeric_limits<T>::max();
+                T hi = std::numeric_limits<T>::lowest();
+                for (int k = deep.x; k <= deep.y; ++k) {
+                    for (int j = high.x; j <= high.y; ++j) {
+                        const auto row =
+                            (std::size_t(k) * std::size_t(extremes.cells.y) + std::size_t(j)) * perRow;
+                        for (int i = wide.x; i <= wide.y; ++i) {
+                            const T* pair = pairs + 2 * (row + std::size_t(i));
+                            lo = std::min(lo, pair[0]);
+                            hi = std::max(hi, pair[1]);
+                        }
+                    }
+                }
+                ranges[n] = glm::clamp(glm::vec2(float(lo), float(hi)), -kAnything, kAnything);
+            }
+        }
+    });
+}
+
 } // namespace
 
 CellRanges finerCellRanges(glm::ivec3 sceneDims, const BrickGrid& finest,
@@ -31,34 +71,8 @@ CellRanges finerCellRanges(glm::ivec3 sceneDims, const BrickGrid& finest,
     const Box3 all{glm::ivec3(0), count};
     std::vector<glm::vec2> ranges(all.volume(), glm::vec2(-kAnything, kAnything));
     if (extremes) {
-        const auto perSlice = std::size_t(count.x) * std::size_t(count.y);
-        const auto perRow = std::size_t(extremes->cells.x);
-        inParallel(count.z, [&](int z) {
-            const auto spanOf = [&](int cell, int axis) {
-                return reached(cell * kCell, (cell + 1) * kCell, axis, finest, *extremes);
-            };
-            const glm::ivec2 deep = spanOf(z, 2);
-            std::size_t n = std::size_t(z) * perSlice;
-            for (int y = 0; y < count.y; ++y) {
-                const glm::ivec2 high = spanOf(y, 1);
-                for (int x = 0; x < count.x; ++x, ++n) {
-                    const glm::ivec2 wide = spanOf(x, 0);
-                    glm::vec2 range(kAnything, -kAnything);
-                    for (int k = deep.x; k <= deep.y; ++k) {
-                        for (int j = high.x; j <= high.y; ++j) {
-                            const auto row =
-                                (std::size_t(k) * std::size_t(extremes->cells.y) + std::size_t(j)) * perRow;
-                            for (int i = wide.x; i <= wide.y; ++i) {
-                                const glm::vec2 here =
-                                    glm::clamp(extremes->ranges[row + std::size_t(i)], -kAnything, kAnything);
-                                range = {std::min(range.x, here.x), std::max(range.y, here.y)};
-                            }
-                        }
-                    }
-                    ranges[n] = range;
-                }
-            }
-        });
+        volume::visitType(extremes->type,
+                          [&]<typename T>(const T*) { gatherRanges<T>(finest, *extremes, count, ranges); });
     }
     if (extremes && ofScene != nullptr) {
         const auto own = ofScene->cells.downloadAll<glm::vec2>();

@@ -266,6 +266,20 @@ class Stores(ScanCase):
         (path / "0/.zarray").write_text(json.dumps(described))
         self.assertTrue((self.values_of(path)[0] == values).all())
 
+    def test_a_session_speaks_of_the_finest_level_where_that_is_too_long_for_a_texture(self):
+        values = numpy.zeros((2, 40, 40, 2304), "u1")
+        values[1, 12:24, 10:26, 3:2300] = 200
+        path = self.make("long.zarr", values, image([(1, 1, 1, 1), (1, 2, 2, 2)], "czyx"), (1, 40, 40, 64))
+        session = self.folder / "s.json"
+        session.write_text(json.dumps({"volumeStudioSession": 1, "volume": {"path": str(path), "channel": 1}, "operations": [
+            {"op": "seed", "range": [150, 255], "voxels": [[2000, 20, 20]]}, {"op": "grow"}, {"op": "labels", "file": "l.zarr"}]}))
+        done = self.succeed("run", session, "-o", self.folder / "out")
+        report = json.loads((self.folder / "out" / "report.json").read_text())
+        self.assertEqual((report["level"], report["storage"]), (1, "bricks"))
+        self.assertIn("made on level 0 and is replayed on level 1", done.stderr)
+        grown = zarr.open_group(str(self.folder / "out" / "l.zarr"), "r")["0"][:]
+        self.assertTrue(numpy.array_equal(grown == 1, values[1] == 200))
+
     def test_levels_have_the_same_channels(self):
         path = self.make("c.zarr", noise((3, 6, 8, 8), "u1"), image([(1, 1, 1, 1), (1, 2, 2, 2)], "czyx"), (1, 4, 4, 4))
         self.succeed("info", path, "--channel", 2, "--level", 1)

@@ -104,5 +104,27 @@ def without_state(display, arguments, folder):
     other.quit()
 
 
+@test.step
+def another_level(display, arguments, folder):
+    """A session that speaks of a finest level that no texture takes opens on a coarser one, and is not saved over."""
+    row = bytes(200 if 3 <= x < 2300 else 0 for x in range(2304))
+    (folder / "long.raw").write_bytes(b"".join(row if 12 <= z < 24 and 10 <= y < 26 else bytes(2304) for z in range(40) for y in range(40)))
+    run(arguments.vstudio, "convert", folder / "long.raw", folder / "long.zarr", "--raw", "2304x40x40:uint8:1,1,1")
+    path = folder / "finest.json"
+    path.write_text(json.dumps({"volumeStudioSession": 1, "volume": {"path": "long.zarr"}, "operations": [
+        {"op": "seed", "range": [150, 255], "voxels": [[2000, 20, 20]]}, {"op": "grow"}]}))
+    before = path.read_bytes()
+    other = start(display, arguments.program, folder, [path])
+    state = other.wait_idle("the session", lambda s: s["message"].startswith("Replayed 2") and s["pictureComplete"])
+    need("noticesBadge" in state["widgets"], "it is not said that it was told to another level")
+    other.key("ctrl+s")
+    other.type_path("saveDialog", folder / "coarser.json")
+    other.wait_idle("the session", lambda s: "coarser.json" in s["message"] and not s["unsaved"])
+    need(path.read_bytes() == before, "what speaks of another level was written over")
+    content = json.loads((folder / "coarser.json").read_text())
+    need(content["volume"]["level"] == 1 and content["operations"][1]["finest"] == [[2000, 20, 20]], content)
+    other.quit()
+
+
 if __name__ == "__main__":
     sys.exit(test.main(__doc__, "--program", "--vstudio"))

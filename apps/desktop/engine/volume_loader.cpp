@@ -14,6 +14,21 @@ void findFiner(Loaded& result, const volume::ReadOptions& used) {
                                        result.notices);
 }
 
+// What a session says, or, where it names no level and speaks of a finest one that this machine has no room
+// to work on, that of one that it has.
+volume::ReadOptions wantedOf(const studio::Session& session, const OpenRequest& request,
+                             const std::optional<std::filesystem::path>& replacement) {
+    volume::ReadOptions wanted;
+    if (!session.level && !session.isMade()) {
+        volume::ReadOptions finest;
+        finest.channel = session.channel;
+        finest.frame = session.frame;
+        wanted.level = studio::levelInReach(studio::volumePathOf(session, request.session, replacement),
+                                            finest, request.budgets);
+    }
+    return wanted;
+}
+
 void load(Loaded& result) {
     OpenRequest& request = result.request;
     if (request.block) {
@@ -47,8 +62,12 @@ void load(Loaded& result) {
         const auto replacement =
             request.volume.empty() ? std::nullopt : std::optional<std::filesystem::path>(request.volume);
         volume::ReadOptions used;
-        result.volume = studio::openVolume(*result.session, request.session, replacement, result.notices, {},
-                                           request.folders, &used);
+        result.volume =
+            studio::openVolume(*result.session, request.session, replacement, result.notices,
+                               wantedOf(*result.session, request, replacement), request.folders, &used);
+        const bool growsFinest = true;
+        result.isOfAnotherLevel = studio::goToLevel(*result.session, request.session, replacement, used,
+                                                    growsFinest, result.notices);
         // What did not fit another volume is not said of it when the session is saved.
         if (!used.raw) {
             result.session->rawLayout.clear();

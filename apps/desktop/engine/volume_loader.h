@@ -51,7 +51,9 @@ struct Loaded {
     std::optional<studio::Session> session;
     std::optional<studio::DocumentState> state; // what the session's operations led to, if it was saved
     std::vector<std::string> notices;
-    std::string checksum;                     // of the volume
+    std::string checksum; // of the volume
+    // The session was told to another level than its file speaks of.
+    bool isOfAnotherLevel = false;
     std::optional<studio::FinerLevels> finer; // than the level that was read, where a store has them
 };
 

@@ -25,26 +25,37 @@ glm::ivec3 slotsAlong(std::size_t slots, int mostAlong) {
     return counts;
 }
 
+// Page tables have ten bits for a slot's place along an axis.
+int mostAlong(int texels) { return std::clamp(gl::limits().texture3D / texels, 1, 1023); }
+
+std::size_t countOf(glm::ivec3 slots) {
+    return std::size_t(slots.x) * std::size_t(slots.y) * std::size_t(slots.z);
+}
+
 } // namespace
 
-BrickPool::BrickPool(int texels, gl::Format format, std::size_t bytes, std::size_t most,
-                     const LayerFormats& layers)
-    : texels_(texels) {
+std::size_t BrickPool::slotsFor(int texels, gl::Format format, std::size_t bytes, std::size_t most,
+                                const LayerFormats& layers) {
     const std::size_t texelsOfSlot = std::size_t(texels) * std::size_t(texels) * std::size_t(texels);
-    const std::size_t own = gl::bytesPerTexel(format);
-    std::size_t all = own;
-    std::size_t widest = own;
+    std::size_t all = gl::bytesPerTexel(format);
+    std::size_t widest = all;
     for (const std::optional<gl::Format>& layer : layers) {
         const std::size_t over = layer ? gl::bytesPerTexel(*layer) : 0;
         all += over;
         widest = std::max(widest, over);
     }
-    std::size_t slots =
+    const std::size_t slots =
         std::clamp<std::size_t>(std::min(bytes / (texelsOfSlot * all), kMostBytes / (texelsOfSlot * widest)),
                                 1, std::max<std::size_t>(most, 1));
+    return countOf(slotsAlong(slots, mostAlong(texels)));
+}
+
+BrickPool::BrickPool(int texels, gl::Format format, std::size_t bytes, std::size_t most,
+                     const LayerFormats& layers)
+    : texels_(texels) {
+    std::size_t slots = slotsFor(texels, format, bytes, most, layers);
     while (!texture_) {
-        // Page tables have ten bits for a slot's place along an axis.
-        counts_ = slotsAlong(slots, std::clamp(gl::limits().texture3D / texels, 1, 1023));
+        counts_ = slotsAlong(slots, mostAlong(texels));
         try {
             for (std::size_t i = 0; i < layers.size(); ++i) {
                 over_[i].texture =
@@ -63,9 +74,7 @@ BrickPool::BrickPool(int texels, gl::Format format, std::size_t bytes, std::size
     std::reverse(free_.begin(), free_.end());
 }
 
-std::size_t BrickPool::slotCount() const {
-    return std::size_t(counts_.x) * std::size_t(counts_.y) * std::size_t(counts_.z);
-}
+std::size_t BrickPool::slotCount() const { return countOf(counts_); }
 
 std::size_t BrickPool::bytes() const {
     std::size_t perTexel = gl::bytesPerTexel(texture_.format());

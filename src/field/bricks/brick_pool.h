@@ -26,6 +26,10 @@ public:
     BrickPool(int texels, gl::Format format, std::size_t bytes, std::size_t most,
               const LayerFormats& layers = {});
 
+    // How many slots that would be, as far as the budget and the limits of a texture say.
+    static std::size_t slotsFor(int texels, gl::Format format, std::size_t bytes, std::size_t most,
+                                const LayerFormats& layers = {});
+
     [[nodiscard]] std::size_t slotCount() const;
     [[nodiscard]] glm::ivec3 slotCounts() const { return counts_; } // along each axis
     [[nodiscard]] const gl::Texture& texture() const { return texture_; }
@@ -34,6 +38,8 @@ public:
         return over_[std::size_t(layer)].texture;
     }
     [[nodiscard]] std::size_t bytes() const;
+    // Whether a brick lies in every slot.
+    [[nodiscard]] bool isFull() const { return free_.empty(); }
 
     // Where a brick lies, in slots; nothing: it is not there.
     [[nodiscard]] std::optional<glm::ivec3> find(const BrickKey& key) const;

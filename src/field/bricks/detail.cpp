@@ -11,14 +11,9 @@ namespace vs::field {
 
 namespace {
 
-// What a page says of a brick: mirrors field/shaders/bricks.glsl.
-constexpr std::uint32_t kNotThere = 0;
-constexpr std::uint32_t kNotReadable = 1;
-std::uint32_t pageOf(glm::ivec3 slot) {
-    return 0x80000000U | std::uint32_t(slot.x) | std::uint32_t(slot.y) << 10 | std::uint32_t(slot.z) << 20;
-}
-
 constexpr std::size_t kMostFailures = 20; // that are told of
+constexpr std::size_t kFirstSlots = 64;   // of a pool that has room for more
+constexpr std::size_t kGrowth = 4;
 
 // The source's levels, from the finest on, that are finer than the scene's grid.
 std::vector<BrickGrid> gridsOf(const volume::BrickSource& source, const volume::GridGeometry& scene,
@@ -46,19 +41,34 @@ std::size_t mostBricks(const std::vector<BrickGrid>& grids) {
     return count;
 }
 
+std::vector<std::size_t> bricksOfLevels(const std::vector<BrickGrid>& grids) {
+    std::vector<std::size_t> counts;
+    for (const BrickGrid& grid : grids) {
+        counts.push_back(grid.count());
+    }
+    return counts;
+}
+
+// Memory for all bricks that may ever be looked at takes long to be had: most pictures need far fewer.
+std::size_t firstPoolBytes(const DetailOptions& options, gl::Format format) {
+    const auto texels = std::size_t(options.side + 1);
+    const std::size_t few = kFirstSlots * texels * texels * texels * gl::bytesPerTexel(format);
+    return std::min(options.deviceBytes, std::max(options.deviceBytes / (kGrowth * kGrowth), few));
+}
+
 } // namespace
 
 Detail::Detail(const std::shared_ptr<const volume::BrickSource>& source, const volume::GridGeometry& scene,
                const DetailOptions& options)
     : grids_(gridsOf(*source, scene, options)), reader_(source, grids_, options.hostBytes, options.threads),
       texels_(brickTexels(source->type())), options_(options),
-      pool_(options.side + 1, texels_.format, options.deviceBytes, mostBricks(grids_)),
-      block_(sizeof(BricksBlock), "bricks") {
+      poolBytes_(firstPoolBytes(options, texels_.format)),
+      pool_(options.side + 1, texels_.format, poolBytes_, mostBricks(grids_)),
+      table_(bricksOfLevels(grids_), cellsAlong(options.side)), block_(sizeof(BricksBlock), "bricks") {
     while (finest_ + 1 < int(grids_.size()) &&
            2 * grids_[std::size_t(finest_)].count() > gl::TexelBuffer::mostTexels()) {
         ++finest_;
     }
-    ranges_.resize(grids_.size());
     use(finest_);
 }
 
@@ -104,15 +114,22 @@ void Detail::tell(const std::string& line) {
 }
 
 void Detail::use(int level) {
-    if (level == level_) {
+    if (level == level_ && isShown_) {
         return;
     }
     level_ = level;
     for (Over& over : over_) {
         over.laidOverAll = {};
     }
+    show();
+}
+
+// Shaders see where the bricks of the level in use are now.
+void Detail::show() {
+    isShown_ = false;
+    table_.show(level_, pool_, failed_);
     writeBlock();
-    writePages();
+    isShown_ = true;
 }
 
 void Detail::writeBlock() {
@@ -125,9 +142,8 @@ void Detail::writeBlock() {
     block.brickCounts = glm::ivec4(grid.counts(), grid.count());
     block.poolScale = glm::vec4(1.0F / pool, float(grid.texels()));
     block.brickValue = {texels_.valueScale, texels_.valueOffset, 0, 0};
-    const bool hasCells = tableWords() > 2 * grid.count();
-    block.brickCells = {glm::ivec2(pool_.slotCounts()), 2 * grid.count(),
-                        hasCells ? cellsAlong(grid.side) : 0};
+    block.brickCells = {glm::ivec2(pool_.slotCounts()), table_.firstCell(),
+                        table_.hasCells() ? cellsAlong(grid.side) : 0};
     block_.writeValue(block);
 }
 
@@ -186,37 +202,65 @@ void Detail::layOverAll(BrickLayer layer) {
     over.laidOverAll = {over.overlay, over.version};
 }
 
-// Bricks share their room with what lies over them from now on; those that were there come again from the
-// host. Where there is no room, they stay as they are without it.
-void Detail::makeRoomFor(BrickLayer layer) {
+LayerFormats Detail::layerFormats() const {
     LayerFormats formats;
-    for (const BrickLayer other : kBrickLayers) {
-        formats[std::size_t(other)] =
-            pool_.overlay(other) ? std::optional(pool_.overlay(other).format()) : std::nullopt;
+    for (const BrickLayer layer : kBrickLayers) {
+        const gl::Texture& over = pool_.overlay(layer);
+        formats[std::size_t(layer)] = over ? std::optional(over.format()) : std::nullopt;
     }
-    const auto make = [&](std::optional<gl::Format> format) {
-        formats[std::size_t(layer)] = format;
-        pool_ = BrickPool(1, texels_.format, 1, 1); // freed first, so that old and new need not fit together
-        pool_ =
-            BrickPool(options_.side + 1, texels_.format, options_.deviceBytes, mostBricks(grids_), formats);
-    };
+    return formats;
+}
+
+// The bricks that were there come again from the host.
+void Detail::remakePool(const LayerFormats& formats) {
+    pool_ = BrickPool(1, texels_.format, 1, 1); // freed first, so that old and new need not fit together
+    pool_ = BrickPool(options_.side + 1, texels_.format, poolBytes_, mostBricks(grids_), formats);
+    for (Over& over : over_) {
+        over.laid.clear();
+        over.laidOverAll = {};
+    }
+}
+
+// Bricks share their room with what lies over them from now on. Where there is no room, they stay as they are
+// without it.
+void Detail::makeRoomFor(BrickLayer layer) {
+    LayerFormats formats = layerFormats();
     try {
-        make(overIn(layer).overlay->format());
+        formats[std::size_t(layer)] = overIn(layer).overlay->format();
+        remakePool(formats);
     } catch (const GlError&) {
-        make({});
+        formats[std::size_t(layer)] = std::nullopt;
+        remakePool(formats);
         tell(layer == BrickLayer::Cuts
                  ? "the device has no room for what is cut at the finest level: pictures show cuts at the "
                    "resolution that is worked on; give --device-memory less"
                  : "the device has no room for segments at the finest level: pictures show them at the "
                    "resolution that is worked on; give --device-memory less");
     }
-    for (Over& over : over_) {
-        over.laid.clear();
-        over.laidOverAll = {};
+    show();
+}
+
+// Before bricks go that may be looked at again, the pool takes more of what it may have, if that makes a
+// difference.
+void Detail::growPool() {
+    const LayerFormats formats = layerFormats();
+    const std::size_t had = poolBytes_;
+    const std::size_t more =
+        std::min(options_.deviceBytes, kGrowth * poolBytes_ + kGrowth); // a rest of the division counts, too
+    const std::size_t slots =
+        BrickPool::slotsFor(options_.side + 1, texels_.format, more, mostBricks(grids_), formats);
+    poolBytes_ = more;
+    if (slots <= pool_.slotCount()) {
+        return;
     }
-    cells_.clear();
-    writeBlock();
-    writePages();
+    try {
+        remakePool(formats);
+        show();
+    } catch (const std::exception&) { // what is allowed may be more than there is
+        poolBytes_ = options_.deviceBytes = had;
+        remakePool(formats);
+        show();
+    }
 }
 
 void Detail::lay(BrickLayer layer, const std::shared_ptr<const BrickOverlay>& overlay, std::uint64_t version,
@@ -233,80 +277,10 @@ void Detail::lay(BrickLayer layer, const std::shared_ptr<const BrickOverlay>& ov
     }
 }
 
-std::size_t Detail::cellWordsOfSlot() const {
-    const auto along = std::size_t(cellsAlong(options_.side));
-    return along * along * along;
-}
-
-// Pages and ranges of the level's bricks, and the ranges of cells, if the device has room for those too.
-std::size_t Detail::tableWords() const {
-    const std::size_t bricks = 2 * grids_[std::size_t(level_)].count();
-    const std::size_t all = bricks + pool_.slotCount() * cellWordsOfSlot();
-    return all <= gl::TexelBuffer::mostTexels() ? all : bricks;
-}
-
-void Detail::writePages() {
-    const BrickGrid& grid = grids_[std::size_t(level_)];
-    pageOf_.assign(grid.count(), kNotThere);
-    for (const BrickKey& key : failed_) {
-        if (key.level == level_) {
-            pageOf_[std::size_t(key.place)] = kNotReadable;
-        }
-    }
-    pool_.forEach([&](const BrickKey& key, glm::ivec3 slot) {
-        if (key.level == level_) {
-            pageOf_[std::size_t(key.place)] = pageOf(slot);
-        }
-    });
-    auto& ranges = ranges_[std::size_t(level_)];
-    ranges.resize(grid.count(), kAnyValue);
-    cells_.resize(pool_.slotCount() * cellWordsOfSlot(), kAnyValue);
-    if (pages_.texels() < tableWords()) {
-        pages_ = gl::TexelBuffer(tableWords(), gl::Format::R32UI, "pages of bricks");
-    }
-    if (uses_.size() < pageOf_.size() * sizeof(std::uint32_t)) {
-        uses_ = gl::Buffer(pageOf_.size() * sizeof(std::uint32_t), "uses of bricks");
-    }
-    pages_.write(std::as_bytes(std::span(pageOf_)), 0);
-    pages_.write(std::as_bytes(std::span(ranges)), grid.count());
-    if (tableWords() > 2 * grid.count()) {
-        pages_.write(std::as_bytes(std::span(cells_)), 2 * grid.count());
-    }
-    uses_.clear();
-}
-
-void Detail::setPage(int place, std::uint32_t page) {
-    pageOf_[std::size_t(place)] = page;
-    pages_.write(std::as_bytes(std::span(&page, 1)), std::size_t(place));
-}
-
-// What a brick holds stays known when it is no longer there.
-void Detail::noteRanges(const ReadBrick& brick) {
-    auto& ranges = ranges_[std::size_t(brick.key.level)];
-    ranges.resize(grids_[std::size_t(brick.key.level)].count(), kAnyValue);
-    ranges[std::size_t(brick.key.place)] = brick.ranges.all;
-    if (brick.key.level == level_) {
-        pages_.write(std::as_bytes(std::span(&brick.ranges.all, 1)),
-                     ranges.size() + std::size_t(brick.key.place));
-    }
-}
-
-void Detail::placeCells(const ReadBrick& brick, glm::ivec3 slot) {
-    const glm::ivec3 slots = pool_.slotCounts();
-    const auto number = std::size_t((slot.z * slots.y + slot.y) * slots.x + slot.x);
-    std::copy(brick.ranges.cells.begin(), brick.ranges.cells.end(),
-              cells_.begin() + std::ptrdiff_t(number * cellWordsOfSlot()));
-    const std::size_t begin = 2 * pageOf_.size();
-    if (tableWords() > begin) {
-        pages_.write(std::as_bytes(std::span(brick.ranges.cells)), begin + number * cellWordsOfSlot());
-    }
-}
-
 void Detail::bind(const Layers& layers) {
     block_.bindUniform(kBricksBlock);
-    pages_.bindTexture(kBrickPagesTexture);
+    table_.bind();
     pool_.texture().bindTexture(kBrickPoolTexture);
-    uses_.bindStorage(kBrickUsesStorage);
     if (layers.hasCuts) {
         layOverAll(BrickLayer::Cuts);
         pool_.overlay(BrickLayer::Cuts).bindTexture(kBrickCutsTexture);
@@ -320,16 +294,9 @@ void Detail::bind(const Layers& layers) {
 std::size_t Detail::endRound(glm::dvec3 viewerVoxel) {
     const gl::Pass pass("bricks asked for");
     const BrickGrid& grid = grids_[std::size_t(level_)];
-    const auto uses = uses_.read<std::uint32_t>(grid.count());
-    uses_.clear();
-    std::vector<int> used;
-    std::size_t missed = 0; // when they were asked for: some may have come since
-    for (int place = 0; place < int(uses.size()); ++place) {
-        if (uses[std::size_t(place)] != 0) {
-            used.push_back(place);
-            missed += pageOf_[std::size_t(place)] == kNotThere ? 1 : 0;
-        }
-    }
+    const std::vector<int> used = table_.takeUses();
+    const auto missed = std::size_t(std::count_if( // when they were asked for: some may have come since
+        used.begin(), used.end(), [&](int place) { return table_.isMissing(place); }));
     deliver(0); // what others asked for is not lost when something else is wanted
     pool_.beginRound();
     isFull_ = false;
@@ -337,7 +304,7 @@ std::size_t Detail::endRound(glm::dvec3 viewerVoxel) {
     const glm::dvec3 viewer = viewerVoxel * grid.perSceneVoxel + grid.origin;
     for (const int place : used) {
         const BrickKey key{level_, place};
-        if (pageOf_[std::size_t(place)] == kNotThere) {
+        if (table_.isMissing(place)) {
             const glm::dvec3 middle = (glm::dvec3(grid.brickAt(place)) + 0.5) * double(grid.side);
             missing.emplace_back(glm::distance(middle, viewer), key);
         } else {
@@ -353,53 +320,53 @@ std::size_t Detail::endRound(glm::dvec3 viewerVoxel) {
     return missed;
 }
 
+void Detail::place(const ReadBrick& brick) {
+    if (pool_.isFull() && poolBytes_ < options_.deviceBytes) {
+        growPool();
+    }
+    const auto put = pool_.put(brick.key, brick.texels);
+    if (!put) {
+        isFull_ = true; // it is in the host's cache, and comes again when it is asked for again
+        return;
+    }
+    table_.noteCells(put->slot, brick.ranges.cells);
+    for (const BrickLayer layer : kBrickLayers) {
+        Over& over = overIn(layer);
+        if (put->goneInstead) {
+            over.laid.erase(*put->goneInstead);
+        }
+        // What nobody looks at is laid when somebody does.
+        if (over.overlay != nullptr && over.laidOverAll.overlay == over.overlay &&
+            brick.key.level == level_) {
+            layOver(layer, brick.key);
+        }
+    }
+    ++bricksRead_;
+    if (put->goneInstead) {
+        table_.remove(*put->goneInstead);
+    }
+    table_.place(brick.key, put->slot);
+}
+
 bool Detail::deliver(double waitMs) {
-    bool hasChanged = false;
+    const std::size_t before = bricksRead_;
+    bool isKnownNow = false; // what was not known before: that it cannot be read, or what it holds
     for (const ReadBrick& brick : reader_.take(waitMs)) {
         if (!brick.failure.empty()) {
             failed_.insert(brick.key);
             tell(brick.failure + "; pictures are coarser there");
-            if (brick.key.level == level_) {
-                setPage(brick.key.place, kNotReadable);
-            }
-            hasChanged = true;
+            table_.giveUp(brick.key);
+            isKnownNow = true;
             continue;
         }
-        noteRanges(brick);
-        if (pool_.find(brick.key)) {
-            continue;
-        }
-        const auto put = pool_.put(brick.key, brick.texels);
-        if (!put) {
-            isFull_ = true; // it is in the host's cache, and comes again when it is asked for again
-            continue;
-        }
-        placeCells(brick, put->slot);
-        for (const BrickLayer layer : kBrickLayers) {
-            Over& over = overIn(layer);
-            if (put->goneInstead) {
-                over.laid.erase(*put->goneInstead);
-            }
-            // What nobody looks at is laid when somebody does.
-            if (over.overlay != nullptr && over.laidOverAll.overlay == over.overlay &&
-                brick.key.level == level_) {
-                layOver(layer, brick.key);
-            }
-        }
-        ++bricksRead_;
-        hasChanged = true;
-        if (put->goneInstead && put->goneInstead->level == level_) {
-            setPage(put->goneInstead->place, kNotThere);
-        }
-        if (brick.key.level == level_) {
-            setPage(brick.key.place, pageOf(put->slot));
+        isKnownNow = table_.noteRange(brick.key, brick.ranges.all) || isKnownNow;
+        if (!pool_.find(brick.key)) {
+            place(brick);
         }
     }
-    return hasChanged;
+    return isKnownNow || bricksRead_ > before;
 }
 
-std::size_t Detail::deviceBytes() const {
-    return pool_.bytes() + pages_.texels() * sizeof(std::uint32_t) + uses_.size();
-}
+std::size_t Detail::deviceBytes() const { return pool_.bytes() + table_.deviceBytes(); }
 
 } // namespace vs::field

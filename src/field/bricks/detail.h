@@ -4,9 +4,9 @@
 #include "field/bricks/brick_overlay.h"
 #include "field/bricks/brick_pool.h"
 #include "field/bricks/brick_reader.h"
+#include "field/bricks/brick_table.h"
 #include "gl/block_layout.h"
 #include "gl/buffer.h"
-#include "gl/texel_buffer.h"
 
 #include <functional>
 #include <map>
@@ -51,12 +51,12 @@ struct DetailOptions {
 };
 
 // What levels of a scan hold that are finer than its scene: pictures at rest are drawn from them. Bricks of
-// any of them share a pool on the device. A program that is compiled with BRICKS looks up bricks of one level
-// (use()); it notes which ones it came through, and where one is not there it takes the scene's own value and
-// remembers that it did. Who dispatched it then asks for what was missing, and dispatches again what is not
-// exact when that has come. Of bricks that have been read it is known what values they hold, and of those on
-// the device also where: rays go past what cannot be seen, and need not have it. All calls but the reader's
-// own threads need a current context.
+// any of them share a pool on the device, which grows with what is looked at. A program that is compiled with
+// BRICKS looks up bricks of one level (use()); it notes which ones it came through, and where one is not
+// there it takes the scene's own value and remembers that it did. Who dispatched it then asks for what was
+// missing, and dispatches again what is not exact when that has come. Of bricks that have been read it is
+// known what values they hold, and of those on the device also where: rays go past what cannot be seen, and
+// need not have it. All calls but the reader's own threads need a current context.
 class Detail {
 public:
     // Levels of `source` that are finer than the scene's grid and lie as it does. Throws Error where there is
@@ -126,19 +126,20 @@ private:
     void layOver(BrickLayer layer, const BrickKey& key);
     void layOverAll(BrickLayer layer);
     void makeRoomFor(BrickLayer layer);
-    void setPage(int place, std::uint32_t page);
-    void noteRanges(const ReadBrick& brick);
-    void placeCells(const ReadBrick& brick, glm::ivec3 slot);
-    [[nodiscard]] std::size_t cellWordsOfSlot() const;
-    [[nodiscard]] std::size_t tableWords() const;
+    [[nodiscard]] LayerFormats layerFormats() const;
+    void remakePool(const LayerFormats& formats);
+    void growPool();
+    void place(const ReadBrick& brick);
+    void show();
     void writeBlock();
-    void writePages();
 
     std::vector<BrickGrid> grids_; // of the source's levels that are used, the finest first
     BrickReader reader_;
     BrickTexels texels_;
     DetailOptions options_;
+    std::size_t poolBytes_; // that the pool may have for now
     BrickPool pool_;
+    BrickTable table_;
     struct Laid {
         std::shared_ptr<const BrickOverlay> overlay;
         std::uint64_t version = 0;
@@ -154,17 +155,12 @@ private:
     [[nodiscard]] const Over& overIn(BrickLayer layer) const { return over_[std::size_t(layer)]; }
     [[nodiscard]] Over& overIn(BrickLayer layer) { return over_[std::size_t(layer)]; }
     gl::Buffer block_;
-    gl::TexelBuffer
-        pages_; // of the level in use, behind them its bricks' ranges, and those of all slots' cells
-    gl::Buffer uses_;
-    std::vector<std::uint32_t> pageOf_;              // as pages_ has them
-    std::vector<std::vector<std::uint32_t>> ranges_; // of each level's bricks, as far as they are known
-    std::vector<std::uint32_t> cells_;               // of slots of the pool
     std::set<BrickKey> failed_;
     std::vector<std::string> failures_;
     std::size_t bricksRead_ = 0;
     int level_ = -1;
-    int finest_ = 0; // level of which a page table has room for all bricks
+    int finest_ = 0;       // level of which a page table has room for all bricks
+    bool isShown_ = false; // shaders see where bricks of the level in use are
     bool isFull_ = false;
 };
 

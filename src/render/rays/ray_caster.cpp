@@ -319,8 +319,11 @@ void RayCaster::beginStage() {
 void RayCaster::castSome(double milliseconds) {
     const bool shows = hasParts() && isLastStage();
     const bool isRepeated = awaited_ > 0;
-    if (isRepeated && !haveBricksCome(milliseconds)) {
-        return;
+    if (isRepeated) {
+        if (!haveBricksCome(milliseconds)) {
+            return;
+        }
+        beginStage(); // where there was no room for what came, the pool is another one now
     }
     double& pace = shows ? shownSquaresPerMs_ : parts_[stage_].squaresPerMs;
     const int left = endOfSquares() - square_;

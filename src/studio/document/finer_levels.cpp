@@ -79,8 +79,12 @@ field::DetailOptions optionsFor(const MemoryBudgets& budgets, std::size_t workBy
 
 // Not where cells are those of which nobody knows anything.
 bool isAllKnown(const std::optional<volume::CellExtremes>& extremes) {
-    return extremes && std::none_of(extremes->ranges.begin(), extremes->ranges.end(),
-                                    [](glm::vec2 range) { return std::isinf(range.y); });
+    if (!extremes || extremes->type != volume::ScalarType::Float32) {
+        return extremes.has_value();
+    }
+    const std::span values(reinterpret_cast<const float*>(extremes->ranges.data()),
+                           extremes->ranges.size() / sizeof(float));
+    return std::none_of(values.begin(), values.end(), [](float value) { return std::isinf(value); });
 }
 
 std::optional<FinerLevels> finerLevels(FinerLevels finer, const volume::Volume& scan,

@@ -13,9 +13,11 @@ namespace vs::volume {
 
 // Smallest and largest value in cells of a level's grid, known before any voxel is read.
 struct CellExtremes {
-    int side = 0;                  // voxels of the finest level along each side of a cell
-    glm::ivec3 cells{0};           // how many there are
-    std::vector<glm::vec2> ranges; // x smallest, y largest value; x fastest, then y, then z
+    int side = 0;        // voxels of the finest level along each side of a cell
+    glm::ivec3 cells{0}; // how many there are
+    ScalarType type = ScalarType::Float32;
+    // Two values of the type for each cell, its smallest and its largest; x fastest, then y, then z.
+    std::vector<std::byte> ranges;
 };
 
 // A scan in levels, each coarser than the one before, of which any box can be had without the rest.

@@ -254,7 +254,10 @@ struct Packer {
         return {{"files", std::move(names)}};
     }
     Json operator()(const SentValues& answer) const {
-        return {{"values", answer.bytes}, {"side", answer.side}, {"cells", packed(answer.cells)}};
+        return {{"values", answer.bytes},
+                {"type", int(answer.type)},
+                {"side", answer.side},
+                {"cells", packed(answer.cells)}};
     }
 };
 
@@ -358,8 +361,8 @@ DecoderAnswer answerOf(const Json& json) {
         return files;
     }
     if (json.contains("values")) {
-        return SentValues{wholeOf<std::uint64_t>(json.at("values")), wholeOf<int>(json.at("side")),
-                          ivec3Of(json.at("cells"))};
+        return SentValues{wholeOf<std::uint64_t>(json.at("values")), typeOf(json.at("type")),
+                          wholeOf<int>(json.at("side")), ivec3Of(json.at("cells"))};
     }
     DecodedVolume decoded{{volumeOf(json.at("volume")), {}}};
     for (const Json& notice : json.at("notices")) {

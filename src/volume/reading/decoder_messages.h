@@ -48,7 +48,7 @@ struct BoxRequest {
     int level = 0;
     Box3 box;
 };
-// The ranges of its CellExtremes, two floats a cell.
+// The ranges of its CellExtremes.
 struct ExtremesRequest {
     bool isAllHere = false; // a chunk without a file is empty, and not just somewhere else
 };
@@ -96,6 +96,7 @@ struct OpenedLevels {
 // bytes where the store has none.
 struct SentValues {
     std::uint64_t bytes = 0;
+    ScalarType type = ScalarType::UInt8;
     int side = 0;
     glm::ivec3 cells{0};
 };

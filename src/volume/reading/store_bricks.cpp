@@ -10,12 +10,21 @@
 #include "volume/store/store_progress.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 namespace vs::volume {
 
 bool hasLevels(const std::filesystem::path& path) { return isWebAddress(path) || isStore(path); }
+
+namespace {
+
+// Whether a number is that of cells, of which a decoder may say what it likes.
+bool isProduct(std::uint64_t number, glm::ivec3 cells) {
+    const auto perSlice = std::uint64_t(cells.x) * std::uint64_t(cells.y); // below 2^62
+    return number % perSlice == 0 && number / perSlice == std::uint64_t(cells.z);
+}
+
+} // namespace
 
 StoreBricks::StoreBricks(std::filesystem::path path, const ReadOptions& options)
     : path_(std::move(path)), folder_(path_), options_(options) {
@@ -134,15 +143,14 @@ std::optional<CellExtremes> StoreBricks::extremes() const {
         giveBack(std::move(decoder));
         return {};
     }
-    CellExtremes extremes{sent.side, sent.cells, {}};
-    if (sent.side < 1 || sent.cells != divideUp(grids_.front().dims, sent.side) ||
-        sent.bytes != Box3{glm::ivec3(0), sent.cells}.volume() * sizeof(glm::vec2)) {
+    constexpr int longestSide = 1 << 20; // so that no product of a store's sizes is too large
+    if (sent.side < 1 || sent.side > longestSide || glm::any(glm::lessThan(sent.cells, glm::ivec3(1))) ||
+        sent.cells != divideUp(grids_.front().dims, sent.side) || sent.bytes % (2 * sizeOf(sent.type)) != 0 ||
+        !isProduct(sent.bytes / (2 * sizeOf(sent.type)), sent.cells)) {
         refuse(path_, "its decoder gave ranges of something else", "get an intact copy of the store");
     }
-    const auto values = decoder->content(sent.bytes);
+    CellExtremes extremes{sent.side, sent.cells, sent.type, decoder->content(sent.bytes)};
     giveBack(std::move(decoder));
-    extremes.ranges.resize(values.size() / sizeof(glm::vec2));
-    std::memcpy(extremes.ranges.data(), values.data(), values.size());
     return extremes;
 }
 

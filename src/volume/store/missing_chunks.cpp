@@ -108,7 +108,7 @@ std::optional<CellExtremes> extremesByMissing(const Multiscales& store, int chan
     }
     const glm::ivec3 cells = divideUp(dims, side);
     announcePromised(countOf(cells) * sizeof(glm::vec2));
-    CellExtremes all{side, cells, std::vector<glm::vec2>(countOf(cells), glm::vec2(fill))};
+    std::vector<glm::vec2> ranges(countOf(cells), glm::vec2(fill));
     const Chunks chunks(store, channel, time);
     std::size_t there = 0;
     int files = 0;
@@ -127,12 +127,15 @@ std::optional<CellExtremes> extremesByMissing(const Multiscales& store, int chan
         }
         ++there;
         forEachVoxel(Box3{voxels.lo / side, (voxels.hi - 1) / side + 1}, [&](glm::ivec3 cell, std::size_t) {
-            all.ranges[(std::size_t(cell.z) * std::size_t(cells.y) + std::size_t(cell.y)) *
-                           std::size_t(cells.x) +
-                       std::size_t(cell.x)] = {-kAnything, kAnything};
+            ranges[(std::size_t(cell.z) * std::size_t(cells.y) + std::size_t(cell.y)) * std::size_t(cells.x) +
+                   std::size_t(cell.x)] = {-kAnything, kAnything};
         });
     }
-    return error || there >= chunks.count() ? std::nullopt : std::optional(std::move(all));
+    if (error || there >= chunks.count()) {
+        return {};
+    }
+    const auto bytes = std::as_bytes(std::span(ranges));
+    return CellExtremes{side, cells, ScalarType::Float32, {bytes.begin(), bytes.end()}};
 }
 
 } // namespace vs::volume

@@ -54,19 +54,6 @@ int announceChunks(const BoxReader& reader, std::uint64_t bytes) {
     return files;
 }
 
-// Of all that was measured.
-std::optional<Range> rangeOf(const std::optional<CellExtremes>& extremes) {
-    Range range{1, -1};
-    for (const glm::vec2& cell : extremes ? extremes->ranges : std::vector<glm::vec2>()) {
-        const bool isFirst = range.lo > range.hi;
-        if (std::abs(cell.x) < kNotMeasured && std::abs(cell.y) < kNotMeasured) {
-            range = isFirst ? Range{cell.x, cell.y}
-                            : Range{std::min(range.lo, double(cell.x)), std::max(range.hi, double(cell.y))};
-        }
-    }
-    return range.lo <= range.hi ? std::optional(range) : std::nullopt;
-}
-
 } // namespace
 
 ReadResult readStore(const std::filesystem::path& path, const ReadOptions& options) {
@@ -102,7 +89,7 @@ ReadResult readStore(const std::filesystem::path& path, const ReadOptions& optio
     }
     if (level > 0 && store.extremes) {
         try {
-            result.ofFinest = rangeOf(readExtremes(store));
+            result.ofFinest = rangeOfExtremes(store);
         } catch (const ReadError& error) { // the level is there all the same
             result.notices.push_back(error.what());
         }

@@ -7,9 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
-#include <cstring>
 #include <limits>
+#include <mutex>
 
 namespace vs::volume {
 
@@ -80,15 +81,6 @@ void addCells(std::byte* bytes, glm::ivec3 cells, glm::ivec3 first, int side, co
     });
 }
 
-template <typename T>
-void takePairs(const std::vector<std::byte>& values, std::span<glm::vec2> out) {
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        std::array<T, 2> pair;
-        std::memcpy(pair.data(), values.data() + i * sizeof(pair), sizeof(pair));
-        out[i] = {float(pair[0]), float(pair[1])};
-    }
-}
-
 std::optional<ScalarType> scalarTypeOf(StoredType stored) {
     for (const ScalarType type : kScalarTypes) {
         if (storedTypeOf(type) == stored) {
@@ -96,6 +88,32 @@ std::optional<ScalarType> scalarTypeOf(StoredType stored) {
         }
     }
     return {};
+}
+
+// Of a store that has them: the values of this program's types are its own, others become floats when they
+// are read.
+std::optional<ScalarType> typeOfExtremes(const Multiscales& store) {
+    return store.extremes ? scalarTypeOf(store.extremes->array.type) : std::nullopt;
+}
+
+// Calls visit(first, values) with the number of the first cell of each chunk, of several at once, and the
+// bytes of all of its cells; without a file all values are 0, and it is not called.
+template <typename Visit>
+void forEachChunk(const Multiscales& store, std::size_t bytesOfCell, const Visit& visit) {
+    const ZarrArray& array = store.extremes->array;
+    const glm::ivec3 cells = divideUp(store.levels.front().geometry.dims, store.extremes->side);
+    const auto perSlice = std::size_t(cells.x) * std::size_t(cells.y);
+    const int deep = int(array.chunks.front());
+    for (int n = 0; n < int(array.chunkCount(0)); ++n) {
+        announceStored(array.storedBytes(std::array<std::int64_t, 4>{n, 0, 0, 0}));
+    }
+    inParallel(int(array.chunkCount(0)), [&](int n) {
+        if (const auto values = array.readChunk(std::array<std::int64_t, 4>{n, 0, 0, 0})) {
+            const auto slices = std::size_t(std::min(deep, cells.z - n * deep));
+            visit(std::size_t(n) * std::size_t(deep) * perSlice,
+                  std::span(*values).first(slices * perSlice * bytesOfCell));
+        }
+    });
 }
 
 } // namespace
@@ -135,35 +153,58 @@ void SlabExtremes::add(const Box3& box, std::span<const std::byte> values) {
 }
 
 std::optional<CellExtremes> readExtremes(const Multiscales& store) {
-    if (!store.extremes) {
+    const auto type = typeOfExtremes(store);
+    if (!type) {
         return {};
     }
-    const auto type = scalarTypeOf(store.extremes->array.type);
-    if (!type) {
-        return {}; // values of other types become floats when they are read
-    }
-    const ZarrArray& array = store.extremes->array;
-    const glm::ivec3 cells = divideUp(store.levels.front().geometry.dims, store.extremes->side);
-    announcePromised(2 * countOf(cells) * sizeof(glm::vec2));
-    for (int n = 0; n < int(array.chunkCount(0)); ++n) {
-        announceStored(array.storedBytes(std::array<std::int64_t, 4>{n, 0, 0, 0}));
-    }
-    CellExtremes all{store.extremes->side, cells, std::vector<glm::vec2>(countOf(cells))};
-    const auto perSlice = std::size_t(cells.x) * std::size_t(cells.y);
-    const int deep = int(array.chunks.front());
-    inParallel(int(array.chunkCount(0)), [&](int n) {
-        const std::array<std::int64_t, 4> place{n, 0, 0, 0};
-        const auto values = array.readChunk(place); // without a file all values are 0
-        const std::size_t slices = std::size_t(std::min(deep, cells.z - n * deep));
-        if (values) {
-            visitType(*type, [&]<typename T>(const T*) {
-                takePairs<T>(*values,
-                             std::span(all.ranges)
-                                 .subspan(std::size_t(n) * std::size_t(deep) * perSlice, slices * perSlice));
-            });
-        }
+    const std::size_t bytesOfCell = 2 * sizeOf(*type);
+    CellExtremes all{
+        store.extremes->side, divideUp(store.levels.front().geometry.dims, store.extremes->side), *type, {}};
+    announcePromised(countOf(all.cells) * bytesOfCell);
+    all.ranges.resize(countOf(all.cells) * bytesOfCell);
+    forEachChunk(store, bytesOfCell, [&](std::size_t first, std::span<const std::byte> values) {
+        std::copy(values.begin(), values.end(), all.ranges.begin() + std::ptrdiff_t(first * bytesOfCell));
     });
     return all;
+}
+
+std::optional<Range> rangeOfExtremes(const Multiscales& store) {
+    const auto type = typeOfExtremes(store);
+    if (!type) {
+        return {};
+    }
+    const ZarrArray& array = store.extremes->array;
+    const auto chunks = std::size_t(array.chunkCount(0));
+    announcePromised(std::size_t(processorCount()) * array.chunkBytes());
+    // What no file holds is 0.
+    return visitType(*type, [&]<typename T>(const T*) -> std::optional<Range> {
+        std::mutex mutex;
+        std::optional<Range> all;
+        const auto widenBy = [&](Range range) {
+            const std::lock_guard lock(mutex);
+            all = all ? Range{std::min(all->lo, range.lo), std::max(all->hi, range.hi)} : range;
+        };
+        std::atomic<std::size_t> there = 0;
+        forEachChunk(store, 2 * sizeof(T), [&](std::size_t /*first*/, std::span<const std::byte> bytes) {
+            ++there;
+            const std::span pairs(reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T));
+            T lo = std::numeric_limits<T>::max();
+            T hi = std::numeric_limits<T>::lowest();
+            for (std::size_t i = 0; i < pairs.size(); i += 2) {
+                const bool isMeasured = std::abs(double(pairs[i])) < kNotMeasured &&
+                                        std::abs(double(pairs[i + 1])) < kNotMeasured;
+                lo = isMeasured ? std::min(lo, pairs[i]) : lo;
+                hi = isMeasured ? std::max(hi, pairs[i + 1]) : hi;
+            }
+            if (lo <= hi) {
+                widenBy({double(lo), double(hi)});
+            }
+        });
+        if (there < chunks) {
+            widenBy({0, 0});
+        }
+        return all;
+    });
 }
 
 } // namespace vs::volume

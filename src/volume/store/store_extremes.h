@@ -44,4 +44,8 @@ private:
 // All of a store that has them; nothing: it has none. Throws ReadError.
 std::optional<CellExtremes> readExtremes(const Multiscales& store);
 
+// From the smallest to the largest of all values that were measured; nothing: it has no extremes, or no such
+// values. Throws ReadError.
+std::optional<Range> rangeOfExtremes(const Multiscales& store);
+
 } // namespace vs::volume

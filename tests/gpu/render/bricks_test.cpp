@@ -244,6 +244,34 @@ TEST_F(BricksTest, WhatHoldsNothingThatIsSeenIsReadOnce) {
     EXPECT_EQ(detail.bricksRead(), before);
 }
 
+// Memory is taken when it is needed, and bricks come again that had to go meanwhile, with what lies over
+// them.
+TEST_F(BricksTest, ThePoolGrowsWithWhatIsLookedAt) {
+    Stage stage(drawVolume(7, volume::ScalarType::UInt8), {30, 127});
+    const auto dims = stage.volume.geometry.dims;
+    field::DetailOptions options;
+    options.side = 6;
+    options.hasOwnLevel = true;
+    const glm::ivec3 counts = divideUp(dims, options.side);
+    const int all = counts.x * counts.y * counts.z;
+    ASSERT_GT(all, 300);
+    options.deviceBytes = bytesFor(all, options.side, volume::ScalarType::UInt8) + 7;
+    field::Detail detail(std::make_shared<LateBricks>(stage.volume, 7), stage.volume.geometry, options);
+    const std::size_t first = detail.deviceBytes();
+    stage.cells = field::finerCellRanges(dims, detail.grids().front(), {});
+    stage.look({25, 15, 1.2}, {160, 120});
+    const auto whole = stage.picture(Mode::XRay);
+    stage.frame.detail = &detail;
+    const auto inBricks = stage.picture(Mode::XRay);
+    EXPECT_LE(image::compare(whole, inBricks).max, 1);
+    EXPECT_GT(detail.deviceBytes(), 2 * first);
+    EXPECT_GT(detail.bricksRead(), 256U); // it grew twice
+    EXPECT_LE(image::compare(whole, stage.picture(Mode::XRay)).max, 1);
+    const std::size_t before = detail.bricksRead();
+    stage.picture(Mode::XRay);
+    EXPECT_EQ(detail.bricksRead(), before);
+}
+
 TEST_F(BricksTest, WhatCannotBeReadIsToldAndShownCoarser) {
     const auto fine = drawVolume(1, volume::ScalarType::UInt8);
     const auto source = std::make_shared<TwoLevels>(fine);
@@ -288,17 +316,20 @@ TEST_F(BricksTest, FinerCellsHoldWhatSamplesFind) {
         const auto grid = field::brickGrid(fine.geometry, scene.geometry, 16);
         const auto ofMiddle = field::brickGrid(middle.geometry, scene.geometry, 16);
         RC_ASSERT(grid && ofMiddle);
-        volume::CellExtremes extremes{4 << *test::below(2), {}, {}};
+        volume::CellExtremes extremes{4 << *test::below(2), {}, volume::ScalarType::UInt8, {}};
         extremes.cells = divideUp(fine.geometry.dims, extremes.side);
         forEachVoxel({glm::ivec3(0), extremes.cells}, [&](glm::ivec3 cell, std::size_t) {
-            glm::vec2 range(1e9F, -1e9F);
+            std::uint8_t lo = 255;
+            std::uint8_t hi = 0;
             const Box3 box =
                 intersect({cell * extremes.side, (cell + 1) * extremes.side}, fine.geometry.box());
             forEachVoxel(box, [&](glm::ivec3 v, std::size_t) {
-                const float value = float(fine.at(v));
-                range = {std::min(range.x, value), std::max(range.y, value)};
+                const auto value = std::uint8_t(fine.at(v));
+                lo = std::min(lo, value);
+                hi = std::max(hi, value);
             });
-            extremes.ranges.push_back(range);
+            extremes.ranges.push_back(std::byte(lo));
+            extremes.ranges.push_back(std::byte(hi));
         });
         const auto cells = field::finerCellRanges(scene.geometry.dims, *grid, extremes);
         const auto ranges = cells.cells.downloadAll<glm::vec2>();

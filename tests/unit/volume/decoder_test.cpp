@@ -170,8 +170,8 @@ TEST(Decoder, Starved) {
 
 // Killed at random while it works, as long as that takes here, or after it: the volume or a refusal, never
 // half of one. One that is stopped before it is a program of its own would hold this process too, so stopping
-// is left to a script (ItsEndIsARefusal). SIGSEGV is no signal for this: AddressSanitizer reports it, and where
-// that interrupts the sanitizer's own allocator its report waits for itself without an end.
+// is left to a script (ItsEndIsARefusal). SIGSEGV is no signal for this: AddressSanitizer reports it, and
+// where that interrupts the sanitizer's own allocator its report waits for itself without an end.
 TEST(Decoder, KilledAtRandom) {
     const TemporaryFolder folder;
     const auto path = cube(folder, 96);

@@ -4,9 +4,11 @@
 #include "base/progress.h"
 #include "phantom/phantom.h"
 #include "property.h"
+#include "volume/grid/visit_type.h"
 #include "volume/io/decode.h"
 #include "volume/store/box_reader.h"
 #include "volume/store/missing_chunks.h"
+#include "volume/store/store_extremes.h"
 #include "volume/store/write_store.h"
 
 #include "test_files.h"
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <random>
 
 namespace vs::volume {
@@ -104,6 +107,45 @@ TEST(Store, ChunksOfNothingHaveNoFile) {
     EXPECT_TRUE(decodeVolume(folder / "a.zarr").volume.bytes == volume.bytes);
 }
 
+std::vector<glm::vec2> rangesOf(const CellExtremes& extremes) {
+    std::vector<glm::vec2> ranges;
+    visitType(extremes.type, [&]<typename T>(const T*) {
+        const auto* pairs = reinterpret_cast<const T*>(extremes.ranges.data());
+        for (std::size_t i = 0; i < extremes.ranges.size() / sizeof(T); i += 2) {
+            ranges.emplace_back(float(pairs[i]), float(pairs[i + 1]));
+        }
+    });
+    return ranges;
+}
+
+TEST(Store, ExtremesAreThoseOfTheVoxels) {
+    test::checkProperty(40, [] {
+        const TemporaryFolder folder;
+        const Volume volume = drawVolume();
+        const std::filesystem::path path = folder / "a.zarr";
+        writeStore(path, sourceOf(volume), {*test::coin() ? 8 : 16, drawCodec()});
+        const Multiscales store = openMultiscales(path);
+        const auto known = readExtremes(store);
+        RC_ASSERT(known.has_value());
+        RC_ASSERT(known->type == volume.type);
+        const auto ranges = rangesOf(*known);
+        forEachVoxel({glm::ivec3(0), known->cells}, [&](glm::ivec3 cell, std::size_t n) {
+            double lo = std::numeric_limits<double>::max();
+            double hi = -lo;
+            const Box3 box = intersect({cell * known->side, (cell + 1) * known->side}, volume.geometry.box());
+            forEachVoxel(box, [&](glm::ivec3 v, std::size_t) {
+                lo = std::min(lo, volume.at(v));
+                hi = std::max(hi, volume.at(v));
+            });
+            RC_ASSERT(ranges[n] == glm::vec2(lo, hi));
+        });
+        const auto all = rangeOfExtremes(store);
+        RC_ASSERT(all.has_value());
+        RC_ASSERT(all->lo == volume.range.lo);
+        RC_ASSERT(all->hi == volume.range.hi);
+    });
+}
+
 // What is said by which chunks have no file holds of every voxel, and nothing is said where all have one.
 TEST(Store, MissingChunksSayWhatIsThere) {
     test::checkProperty(40, [] {
@@ -128,8 +170,8 @@ TEST(Store, MissingChunksSayWhatIsThere) {
             now.bytes = readBox(store, 0, {glm::ivec3(0), dims});
             forEachVoxel(volume.geometry.box(), [&](glm::ivec3 v, std::size_t) {
                 const glm::ivec3 cell = v / known->side;
-                const glm::vec2 range =
-                    known->ranges[std::size_t((cell.z * known->cells.y + cell.y) * known->cells.x + cell.x)];
+                const glm::vec2 range = rangesOf(
+                    *known)[std::size_t((cell.z * known->cells.y + cell.y) * known->cells.x + cell.x)];
                 const double value = now.at(v);
                 RC_ASSERT((value >= range.x && value <= range.y));
             });
@@ -145,8 +187,9 @@ TEST(Store, MissingChunksSayWhatIsThere) {
     const auto known = extremesByMissing(openMultiscales(folder / "a.zarr"), 0, 0);
     ASSERT_TRUE(known.has_value());
     EXPECT_EQ(glm::ivec3(3, 2, 2), known->cells);
-    EXPECT_TRUE(std::isinf(known->ranges.front().y));
-    EXPECT_EQ(11, std::count(known->ranges.begin(), known->ranges.end(), glm::vec2(0)));
+    const auto ranges = rangesOf(*known);
+    EXPECT_TRUE(std::isinf(ranges.front().y));
+    EXPECT_EQ(11, std::count(ranges.begin(), ranges.end(), glm::vec2(0)));
 }
 
 // Given up at any moment, it is gone on with, and nobody takes it for finished before.

@@ -151,7 +151,7 @@ void DocumentFiles::finishOpening(const std::shared_ptr<Loaded>& loaded) {
     checksum_ = loaded->checksum;
     const bool isPlayed = loaded->session && loaded->request.isPlayed;
     if (loaded->session) {
-        takeSource(*loaded->session);
+        takeSource(*loaded->session, loaded->isOfAnotherLevel);
         if (!isPlayed && !hasState) {
             takeOperations(*loaded->session);
         }
@@ -187,16 +187,16 @@ void DocumentFiles::finishOpening(const std::shared_ptr<Loaded>& loaded) {
     }
 }
 
-void DocumentFiles::takeSource(const studio::Session& session) {
+void DocumentFiles::takeSource(const studio::Session& session, bool isOfAnotherLevel) {
     source_.rawLayout = session.rawLayout;
     source_.series = session.series;
     source_.frame = session.frame;
     source_.level = session.level;
     source_.channel = session.channel;
     source_.phantom = session.phantom;
-    // It has not become what that file says, or is of another scan: neither is saved over it.
+    // It has not become what that file says, or is of another scan or level: none is saved over it.
     const bool isOfAnother = !session.volumeChecksum.empty() && session.volumeChecksum != checksum_;
-    if (source_.isPlayed || isOfAnother) {
+    if (source_.isPlayed || isOfAnother || isOfAnotherLevel) {
         source_.session.clear();
     }
 }

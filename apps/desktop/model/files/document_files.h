@@ -81,7 +81,7 @@ private:
     void connectLoader();
     [[nodiscard]] static QString begun(const OpenRequest& request);
     void finishOpening(const std::shared_ptr<Loaded>& loaded);
-    void takeSource(const studio::Session& session);
+    void takeSource(const studio::Session& session, bool isOfAnotherLevel);
     void takeOperations(const studio::Session& session);
     void finishReplay(const QString& error, bool isGivenUp);
     void endReading();

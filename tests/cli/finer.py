@@ -105,6 +105,27 @@ class Finer(ScanCase):
                 self.assertTrue(numpy.array_equal(grown[0], wanted[0]))
                 self.assertEqual(grown[1], wanted[1])
 
+    def test_voxels_of_the_finest_level_are_told_to_what_there_is(self):
+        """A session that speaks of them alone, where nothing is finer than what is worked on: the scan itself, or a coarser level by itself."""
+        store = self.store()
+        scan = self.folder / "scan.nrrd"
+        self.succeed("reduce", store, "--by", 1, "-o", scan)
+        seed = [{"op": "seed", "range": [85, 255], "finest": [[66, 80, 64], [67, 80, 64]]}, {"op": "grow", "generations": 20},
+                {"op": "absorb", "finest": [[66, 80, 64]], "expansions": 3}, {"op": "labels", "file": "l.nrrd"}]
+        same = [{**op, "voxels": op["finest"], "finest": []} if "finest" in op else op for op in seed]
+        wanted = read_nrrd(self.run_session(self.session("v.json", scan, same), "wanted")[0] / "l.nrrd")
+        self.assertGreater((wanted > 0).sum(), 1000)
+        for name, path, options in (("scan", scan, ()), ("store", store, ()), ("bricks", store, ("--storage", "bricks"))):
+            with self.subTest(name=name):
+                out, _, _ = self.run_session(self.session("f.json", path, seed), name, *options)
+                self.assertTrue(numpy.array_equal(read_nrrd(out / "l.nrrd"), wanted))
+        for level in (0, 1):  # that it was made on
+            with self.subTest(made=level):
+                session = self.session("c.json", store, seed[:2] + seed[3:], **({"level": 1} if level else {}))
+                out, report, _ = self.run_session(session, f"coarse{level}", "--level", 1, "--storage", "dense")
+                self.assertEqual((report["level"], report["storage"]), (1, "dense"))
+                self.assertGreater(read_nrrd(out / "l.nrrd")[32, 40, 33], 0)
+
     def test_pictures_show_segments_as_they_have_grown(self):
         """Two that touch each other and a cut, as surfaces, over the data and as glass."""
         looks = [{"op": "view", "mode": "overlay"}, {"op": "view", "mode": "segment", "camera": {"azimuth": 160, "elevation": 10}},

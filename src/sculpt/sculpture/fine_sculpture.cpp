@@ -108,6 +108,17 @@ std::function<std::vector<float>(const Box3&)> FineSculpture::reader() const {
     };
 }
 
+std::function<bool(const Box3&)> FineSculpture::emptyBoxes() const {
+    return [bricks = std::shared_ptr<const FineBricks>(bricks_), counts = counts()](const Box3& box) {
+        bool isEmpty = true;
+        forEachVoxel(Box3{box.lo / kFineBrick, divideUp(box.hi, kFineBrick)},
+                     [&](glm::ivec3 at, std::size_t) {
+                         isEmpty = isEmpty && !bricks->contains((at.z * counts.y + at.y) * counts.x + at.x);
+                     });
+        return isEmpty;
+    };
+}
+
 void FineSculpture::put(const Box3& box, std::span<const std::byte> texels, FineBricks& before) {
     const std::size_t texelBytes = gl::bytesPerTexel(formatOf(precision_));
     Box3 changed;

@@ -78,6 +78,8 @@ public:
     [[nodiscard]] std::shared_ptr<const field::BrickOverlay> snapshot() const;
     // Values of boxes of it as it is now, x fastest: it stays so, and threads may ask at once.
     [[nodiscard]] std::function<std::vector<float>(const Box3&)> reader() const;
+    // Whether nothing is cut in boxes of it, likewise.
+    [[nodiscard]] std::function<bool(const Box3&)> emptyBoxes() const;
     // The voxels in which bricks have changed since an earlier version.
     [[nodiscard]] Box3 changedSince(std::uint64_t version) const;
 

@@ -226,6 +226,18 @@ std::function<std::vector<std::uint8_t>(const Box3&)> FineGrowth::labelReader() 
     };
 }
 
+std::function<bool(const Box3&)> FineGrowth::emptyBoxes() const {
+    return [map = map_, dims = dims()](const Box3& box) {
+        const field::BrickGrid grid{dims, field::kBrick};
+        bool isEmpty = true;
+        forEachVoxel(Box3{box.lo / field::kBrick, divideUp(box.hi, field::kBrick)},
+                     [&](glm::ivec3 at, std::size_t) {
+                         isEmpty = isEmpty && !map.contains(std::uint32_t(grid.placeOf(at)));
+                     });
+        return isEmpty;
+    };
+}
+
 std::vector<std::uint8_t> FineGrowth::labelMap(const Box3& box) const {
     return labelsIn(map_, dims(), label_, run_.state.playhead, box);
 }

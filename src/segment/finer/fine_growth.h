@@ -101,6 +101,8 @@ public:
     [[nodiscard]] std::vector<std::uint32_t> generations(const Box3& box) const;
     // Label maps of boxes of all as it is now: it stays so, and threads may ask at once.
     [[nodiscard]] std::function<std::vector<std::uint8_t>(const Box3&)> labelReader() const;
+    // Whether boxes of it are known to have no label, likewise.
+    [[nodiscard]] std::function<bool(const Box3&)> emptyBoxes() const;
     // The bricks' box around what is shown of a segment.
     [[nodiscard]] Box3 boxOf(std::uint8_t label) const;
     // What it takes on the host.

@@ -255,21 +255,20 @@ private:
     // What nobody has and the viewer does not see is not known.
     void hideCut(const FinestEdges& edges, Members& members) const {
         const bool isProbe = shown_.view == field::SculptureView::Probe;
+        // The finest voxel in the middle of one of the level's, along an axis.
+        const auto middleOf = [&](int axis, int v) {
+            return std::min((edges.edge(axis, v) + edges.edge(axis, v + 1)) / 2, grid_.dims[axis] - 1);
+        };
+        const Box3 finest = edges.finestIn(members.box);
         for (int z = members.box.lo.z; z < members.box.hi.z; ++z) {
-            // The finest voxels in the middle of the level's.
-            const Box3 slice = edges.finestIn(
-                {{members.box.lo.x, members.box.lo.y, z}, {members.box.hi.x, members.box.hi.y, z + 1}});
-            const int middleZ = std::min((slice.lo.z + slice.hi.z) / 2, grid_.dims.z - 1);
-            Values<float> cut({{slice.lo.x, slice.lo.y, middleZ}, {slice.hi.x, slice.hi.y, middleZ + 1}});
-            cut.all = shown_.fence(cut.box);
             for (int y = members.box.lo.y; y < members.box.hi.y; ++y) {
+                const glm::ivec2 at(middleOf(1, y), middleOf(2, z));
+                const Box3 row{{finest.lo.x, at}, {finest.hi.x, at + 1}};
+                const std::vector<float> cut = shown_.fence(row);
                 for (int x = members.box.lo.x; x < members.box.hi.x; ++x) {
                     Member& whose = members.at({x, y, z});
-                    const glm::ivec3 middle{
-                        std::min((edges.edge(0, x) + edges.edge(0, x + 1)) / 2, grid_.dims.x - 1),
-                        std::min((edges.edge(1, y) + edges.edge(1, y + 1)) / 2, grid_.dims.y - 1), middleZ};
-                    const bool isHidden = (cut.at(middle) >= 0.5F) != isProbe;
-                    whose = whose == 0 && isHidden ? kHidden : whose;
+                    const bool isCut = cut[std::size_t(middleOf(0, x) - row.lo.x)] >= 0.5F;
+                    whose = whose == 0 && isCut != isProbe ? kHidden : whose;
                 }
             }
         }

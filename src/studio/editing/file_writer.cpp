@@ -45,7 +45,8 @@ namespace {
 // Values of boxes of a grid, as a store with levels.
 template <typename T>
 void writeStore(const std::filesystem::path& path, const volume::GridGeometry& grid, volume::ScalarType type,
-                volume::Reducing reducing, const std::function<std::vector<T>(const Box3&)>& valuesIn) {
+                volume::Reducing reducing, const std::function<std::vector<T>(const Box3&)>& valuesIn,
+                const std::function<bool(const Box3&)>& isZero = {}) {
     volume::StoreSource source;
     source.facts.geometry = grid;
     source.facts.name = path.stem().string();
@@ -57,6 +58,7 @@ void writeStore(const std::filesystem::path& path, const volume::GridGeometry& g
         const auto bytes = std::as_bytes(std::span(values));
         return std::vector<std::byte>(bytes.begin(), bytes.end());
     };
+    source.isZero = isZero;
     volume::StoreLayout layout;
     layout.reducing = reducing;
     volume::writeStore(path, source, layout);
@@ -82,7 +84,7 @@ std::function<std::vector<T>(const Box3&)> boxesOf(const std::vector<T>& values,
 Outcome FileWriter::run(const SaveLabels& op, const std::filesystem::path& folder) {
     if (const auto* finest = contents_.region.finest(); finest != nullptr && volume::isStoreName(op.file)) {
         writeStore<std::uint8_t>(folder / op.file, contents_.region.geometry(), volume::ScalarType::UInt8,
-                                 volume::Reducing::Commonest, finest->labelReader());
+                                 volume::Reducing::Commonest, finest->labelReader(), finest->emptyBoxes());
         return {{}, 0, contents_.grownVoxels(), say("%1", op.file)};
     }
     const auto labels = contents_.region.labelMap();
@@ -101,7 +103,7 @@ Outcome FileWriter::run(const SaveSculpture& op, const std::filesystem::path& fo
     const sculpt::FineSculpture* finer = contents_.sculpture.finer();
     if (finer != nullptr && volume::isStoreName(op.file)) {
         writeStore<float>(folder / op.file, *cutter_.geometry, volume::ScalarType::Float32,
-                          volume::Reducing::Mean, finer->reader());
+                          volume::Reducing::Mean, finer->reader(), finer->emptyBoxes());
         return {{}, 0, 0, say("%1", op.file)};
     }
     const std::vector<float> values = cutter_.sculptureAsFloats();

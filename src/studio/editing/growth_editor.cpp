@@ -59,6 +59,16 @@ std::vector<glm::ivec3> nearestOf(const segment::VoxelSet& set, const std::vecto
     return nearest;
 }
 
+// Where no level is finer than the one that is worked on, and the operation has none of its voxels.
+template <typename Op>
+void requireVoxels(const Op& op) {
+    if (!op.finest.empty() && op.strokes.empty()) {
+        throw Error(
+            "its voxels are those of a finer level, and none is finer than the one that is worked on; "
+            "give `voxels`");
+    }
+}
+
 } // namespace
 
 std::vector<glm::ivec3> GrowthEditor::voxelsUnder(const std::vector<Sketch>& strokes, double widthPixels,
@@ -120,13 +130,14 @@ Outcome GrowthEditor::run(Seed& op) {
         for (const Trail& trail : op.trails) {
             addTo(op.voxels, voxelsAlong(trail, contents_.scan.volume, op.range));
         }
-        if (!op.finest.empty()) { // trails are of the scene's voxels
+        if (isFiner && !op.finest.empty()) { // trails are of the scene's voxels
             const auto widened = contents_.region.finestIn(op.voxels);
             op.finest.insert(op.finest.end(), widened.begin(), widened.end());
             op.voxels.clear(); // or strokes would not be looked under again where only the scene is grown in
         }
     }
-    if (op.voxels.empty() && op.finest.empty()) {
+    if (op.voxels.empty() && !(isFiner && !op.finest.empty())) {
+        requireVoxels(op);
         return {{}, 0, 0, say(VS_TEXT("library", "nothing seeded: no voxel in range lies under the stroke"))};
     }
     const segment::SeedCounts counts = changeSegments(contents_, *this, op);
@@ -198,6 +209,7 @@ Outcome GrowthEditor::run(Absorb& op) {
     if (op.voxels.empty() && !(contents_.region.isFiner() && !op.finest.empty())) {
         segment::Constraints anything; // of what is seen: only the segment's own voxels are taken
         anything.range = contents_.scan.volume.range;
+        requireVoxels(op);
         op.voxels = nearestOf(contents_.region.voxelsOf(contents_.segments.atWork),
                               voxelsUnder(op.strokes, op.widthPixels, *op.canvas, anything, false),
                               contents_.scan.volume.geometry);

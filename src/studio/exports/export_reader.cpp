@@ -40,7 +40,7 @@ ExportReader::ExportReader(Document& document, ExportSettings::What what,
         }
         sculptures_ = isCut ? 1 + parts.size() : 0;
         if (const sculpt::FineSculpture* finer = document.sculpture().finer()) {
-            source_.finest = {document.levels(), finer->reader(),
+            source_.finest = {document.levels(), finer->reader(), finer->emptyBoxes(),
                               field::finerGeometry(source_.geometry, finer->grid())};
         }
     }
@@ -72,7 +72,8 @@ bool ExportReader::readSome(double budgetMs) {
     if (needsLabels_) {
         source_.labels = document_.region().labelMap();
         if (const segment::FineGrowth* finest = document_.region().finest()) {
-            source_.finestLabels = {finest->labelReader(), document_.region().geometry()};
+            source_.finestLabels = {finest->labelReader(), finest->emptyBoxes(),
+                                    document_.region().geometry()};
             source_.finestMeasures = std::make_shared<const SegmentMeasures>(document_);
         }
         needsLabels_ = false;

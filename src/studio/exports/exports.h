@@ -64,16 +64,19 @@ struct ExportSource {
     };
     std::vector<Part> parts;
     // Volume: the finest level of a scan that is worked on at a coarser one, for stores, and what is cut of
-    // it (0 to 1), both for boxes of its voxels.
+    // it (0 to 1), both for boxes of its voxels, and whether nothing is in one.
     struct Finest {
         std::shared_ptr<const volume::BrickSource> levels;
         std::function<std::vector<float>(const Box3&)> cut;
+        std::function<bool(const Box3&)> isUncut;
         volume::GridGeometry geometry;
     };
     std::optional<Finest> finest;
-    // Segments, for stores: labels of boxes of the finest level, where they grew at that.
+    // Segments, for stores: labels of boxes of the finest level, where they grew at that, and whether one has
+    // none.
     struct FinestLabels {
         std::function<std::vector<std::uint8_t>(const Box3&)> labels;
+        std::function<bool(const Box3&)> isEmpty;
         volume::GridGeometry geometry;
     };
     std::optional<FinestLabels> finestLabels;

@@ -2,6 +2,7 @@
 #include "studio/exports/store_export.h"
 
 #include "base/error.h"
+#include "volume/grid/visit_type.h"
 #include "volume/store/write_store.h"
 
 #include <fmt/format.h>
@@ -22,6 +23,23 @@ std::string onceOnly() {
 std::string described(const std::filesystem::path& path, const volume::GridGeometry& grid,
                       const std::string& what) {
     return fmt::format("{}: {} x {} x {} {}", path.string(), grid.dims.x, grid.dims.y, grid.dims.z, what);
+}
+
+// By what is known of the cells that a box of the finest level touches.
+bool holdsOnlyZeros(const volume::CellExtremes& extremes, const Box3& box) {
+    bool isZero = true;
+    volume::visitType(extremes.type, [&]<typename T>(const T*) {
+        const auto* pairs = reinterpret_cast<const T*>(extremes.ranges.data());
+        forEachVoxel(Box3{box.lo / extremes.side, divideUp(box.hi, extremes.side)},
+                     [&](glm::ivec3 cell, std::size_t) {
+                         const std::size_t n =
+                             (std::size_t(cell.z) * std::size_t(extremes.cells.y) + std::size_t(cell.y)) *
+                                 std::size_t(extremes.cells.x) +
+                             std::size_t(cell.x);
+                         isZero = isZero && pairs[2 * n] == T(0) && pairs[2 * n + 1] == T(0);
+                     });
+    });
+    return isZero;
 }
 
 } // namespace
@@ -51,6 +69,13 @@ std::string writeSculptedStore(const std::filesystem::path& path, const ExportSo
         }
         return values;
     };
+    const auto extremes = finest.levels->extremes();
+    store.isZero = [&](const Box3& box) {
+        const bool isFilled = source.view != field::SculptureView::Whole && filled != 0;
+        const bool staysAsItIs =
+            !isFilled || (source.view == field::SculptureView::Cut && finest.isUncut(box));
+        return staysAsItIs && extremes && holdsOnlyZeros(*extremes, box);
+    };
     volume::writeStore(path, store);
     return said(finest.geometry, store.type);
 }
@@ -72,6 +97,9 @@ std::string writeLabelStore(const std::filesystem::path& path, const ExportSourc
             {segment.value,
              segment.name,
              {colour.x, colour.y, colour.z, std::uint8_t(std::round(segment.opacity * 255))}});
+    }
+    if (source.finestLabels) {
+        store.isZero = source.finestLabels->isEmpty;
     }
     store.facts.geometry = source.finestLabels ? source.finestLabels->geometry : source.geometry;
     store.facts.name = path.stem().string();

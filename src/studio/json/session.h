@@ -97,7 +97,8 @@ std::filesystem::path volumePathOf(const Session& session, const std::filesystem
 
 // Where the session's volume, or the replacement, is a store and was read at another level than the session
 // was made on: has its operations speak of that level, for a look at what they do, and says so in a notice.
-// `growsFinest`: segments grow at the finest level whatever is worked on.
+// `growsFinest`: segments grow at the finest level whatever is worked on; else, and where that is the finest
+// itself, voxels of the finest level become voxels of the one that is worked on.
 // Returns whether it is another session now. Throws ReadError and Error.
 bool goToLevel(Session& session, const std::filesystem::path& sessionPath,
                const std::optional<std::filesystem::path>& replacement, const volume::ReadOptions& used,

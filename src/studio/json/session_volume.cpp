@@ -142,12 +142,26 @@ bool goToLevel(Session& session, const std::filesystem::path& sessionPath,
     const auto madeOn = std::size_t(session.level.value_or(0));
     const auto wanted = std::size_t(used.level.value_or(0));
     const std::filesystem::path path = volumePathOf(session, sessionPath, replacement);
-    if (madeOn == wanted || session.isMade() || !volume::hasLevels(path)) {
+    const auto forgetFinest = [&](const OtherGrid& sceneFromFinest) {
+        for (Operation& operation : session.operations) {
+            operation = withoutFinest(std::move(operation), sceneFromFinest);
+        }
+    };
+    const bool isOther = madeOn != wanted;
+    if (wanted == 0 && !isOther) {
+        forgetFinest({});
+    }
+    if (session.isMade() || !volume::hasLevels(path) || (!isOther && (growsFinest || wanted == 0))) {
         return false;
     }
     const volume::StoreBricks store(path, used);
     const auto& levels = store.levels();
     if (madeOn >= levels.size() || wanted >= levels.size()) {
+        return false;
+    }
+    const OtherGrid sceneFromFinest = otherGrid(levels.front(), levels[wanted]);
+    if (!isOther) {
+        forgetFinest(sceneFromFinest);
         return false;
     }
     OtherGrid grid = otherGrid(levels[madeOn], levels[wanted]);
@@ -157,6 +171,9 @@ bool goToLevel(Session& session, const std::filesystem::path& sessionPath,
         growsFinest ? 1 : levels.front().stepMm() / levels[wanted].stepMm(); // it was made so, too
     for (Operation& operation : session.operations) {
         operation = onGrid(std::move(operation), grid);
+    }
+    if (!growsFinest) {
+        forgetFinest(sceneFromFinest);
     }
     session.level = used.level;
     session.volumeChecksum.clear();

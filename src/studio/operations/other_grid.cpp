@@ -3,8 +3,10 @@
 
 #include "base/error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -101,6 +103,32 @@ void keepFinest(Op& op, const std::vector<glm::ivec3>& before, const OtherGrid& 
     }
 }
 
+// Strokes and trails tell where voxels are; those that only a finer level has are told by these alone.
+template <typename Op>
+bool isOfFinestAlone(const Op& op) {
+    bool isDrawn = !op.strokes.empty();
+    if constexpr (requires { op.trails; }) {
+        isDrawn = isDrawn || !op.trails.empty();
+    }
+    return op.voxels.empty() && !op.finest.empty() && !isDrawn;
+}
+
+template <typename Op>
+void takeFromFinest(Op& op, const OtherGrid& sceneFromFinest) {
+    if (isOfFinestAlone(op)) {
+        for (const glm::ivec3 voxel : op.finest) {
+            const glm::dvec3 place = glm::dvec3(voxel) * sceneFromFinest.scale + sceneFromFinest.offset;
+            op.voxels.push_back(glm::max(glm::ivec3(glm::floor(place + 0.5)), glm::ivec3(0)));
+        }
+        const auto isBefore = [](glm::ivec3 a, glm::ivec3 b) {
+            return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
+        };
+        std::sort(op.voxels.begin(), op.voxels.end(), isBefore);
+        op.voxels.erase(std::unique(op.voxels.begin(), op.voxels.end()), op.voxels.end());
+    }
+    op.finest.clear();
+}
+
 // What descriptions do not tell.
 void convertMore(Sweep& op, const Sweep& before, const OtherGrid& grid) {
     op.pitch = before.pitch; // of samples, in steps of the grid that is cut
@@ -176,6 +204,15 @@ Operation onGrid(Operation operation, const OtherGrid& grid) {
             convertMore(op, before, grid);
         },
         operation);
+    return operation;
+}
+
+Operation withoutFinest(Operation operation, const OtherGrid& sceneFromFinest) {
+    if (auto* seed = std::get_if<Seed>(&operation)) {
+        takeFromFinest(*seed, sceneFromFinest);
+    } else if (auto* absorb = std::get_if<Absorb>(&operation)) {
+        takeFromFinest(*absorb, sceneFromFinest);
+    }
     return operation;
 }
 

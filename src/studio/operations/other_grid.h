@@ -25,4 +25,9 @@ OtherGrid otherGrid(const volume::GridGeometry& from, const volume::GridGeometry
 // that strokes found are looked for again.
 Operation onGrid(Operation operation, const OtherGrid& grid);
 
+// The operation where the grid that is worked on is the finest that there is: voxels of the finest level that
+// nothing else tells where to find become the ones of that grid that they lie in. `sceneFromFinest`: to that
+// grid from that of the finest level.
+Operation withoutFinest(Operation operation, const OtherGrid& sceneFromFinest);
+
 } // namespace vs::studio

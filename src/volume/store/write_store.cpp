@@ -82,9 +82,8 @@ public:
 
 private:
     void writeSlab(std::size_t level, int slab) {
-        const ZarrArray& array = store_.levels[level].array;
-        const int columns = int(array.chunkCount(2));
-        const int count = columns * int(array.chunkCount(1));
+        const std::vector<glm::ivec3> places = placesToWrite(level, slab);
+        const int count = int(places.size());
         const int atOnce = 4 * processorCount();
         std::optional<SlabExtremes> extremes;
         if (level == 0 && store_.extremes) {
@@ -94,14 +93,53 @@ private:
         for (int first = 0; first < count; first += atOnce) {
             // A slab of the finest level costs about eight times one of the next.
             reportProgress((double(progress_.doneSlabs()) + double(first) / count) / double(slabs_));
-            inParallel(std::min(atOnce, count - first), [&](int n) {
-                writeChunk(level, {(first + n) % columns, (first + n) / columns, slab}, extremes);
-            });
+            inParallel(std::min(atOnce, count - first),
+                       [&](int n) { writeChunk(level, places[std::size_t(first + n)], extremes); });
         }
         if (extremes) {
             writeOrRemove(store_.extremes->array, std::array<std::int64_t, 4>{slab, 0, 0, 0},
                           extremes->bytes());
         }
+    }
+
+    // Chunks of a slab that may hold something, of which a sparse scan has few; others have no file.
+    [[nodiscard]] std::vector<glm::ivec3> placesToWrite(std::size_t level, int slab) const {
+        const ZarrArray& array = store_.levels[level].array;
+        std::vector<glm::ivec3> places;
+        for (int y = 0; y < int(array.chunkCount(1)); ++y) {
+            for (int x = 0; x < int(array.chunkCount(2)); ++x) {
+                const glm::ivec3 place(x, y, slab);
+                if (isKnownToBeZero(level, place)) {
+                    array.removeChunk(std::array<std::int64_t, 3>{slab, y, x});
+                } else {
+                    places.push_back(place);
+                }
+            }
+        }
+        return places;
+    }
+
+    [[nodiscard]] Box3 boxOf(std::size_t level, glm::ivec3 place) const {
+        return intersect({place * layout_.chunk, (place + 1) * layout_.chunk},
+                         store_.levels[level].geometry.box());
+    }
+
+    // The source says it of the finest level; coarser ones hold nothing where the one before has no chunks.
+    [[nodiscard]] bool isKnownToBeZero(std::size_t level, glm::ivec3 place) const {
+        const Box3 box = boxOf(level, place);
+        if (level == 0) {
+            return source_.isZero && source_.isZero(box);
+        }
+        const auto& finer = store_.levels[level - 1];
+        const glm::ivec3 by = halvedAlong(finer.geometry.dims);
+        const Box3 below = intersect({box.lo * by, box.hi * by}, finer.geometry.box());
+        bool isZero = true;
+        forEachVoxel(Box3{below.lo / layout_.chunk, divideUp(below.hi, layout_.chunk)}, [&](glm::ivec3 chunk,
+                                                                                            std::size_t) {
+            isZero = isZero &&
+                     finer.array.storedBytes(std::array<std::int64_t, 3>{chunk.z, chunk.y, chunk.x}) == 0;
+        });
+        return isZero;
     }
 
     // One of nothing but zeros has no file.
@@ -115,9 +153,9 @@ private:
     }
 
     void writeChunk(std::size_t level, glm::ivec3 place, std::optional<SlabExtremes>& extremes) const {
-        const auto& [array, geometry] = store_.levels[level];
+        const ZarrArray& array = store_.levels[level].array;
         const std::array<std::int64_t, 3> chunk{place.z, place.y, place.x};
-        const Box3 box = intersect({place * layout_.chunk, (place + 1) * layout_.chunk}, geometry.box());
+        const Box3 box = boxOf(level, place);
         const auto values = level == 0 ? source_.read(box) : reducedTo(level, box);
         VS_CHECK_EQ(values.size(), box.volume() * sizeOf(source_.type));
         if (extremes) {

@@ -18,6 +18,8 @@ struct StoreSource {
     ScalarType type = ScalarType::UInt8;
     // The values of a box of the finest level, x fastest; called by several threads at once.
     std::function<std::vector<std::byte>(const Box3&)> read;
+    // Whether a box of it is known to hold nothing but zeros, before it is read; null: that is known of none.
+    std::function<bool(const Box3&)> isZero = {};
     // In one line, what tells it from anything else: only the same is gone on with.
     std::string identity;
 };

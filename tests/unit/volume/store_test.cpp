@@ -16,6 +16,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -79,6 +80,40 @@ TEST(Store, IsTheVolumeAndItsLevelsAreReduced) {
             }
         }
         RC_ASSERT(glm::all(glm::lessThanEqual(levels.back().dims, glm::ivec3(layout.chunk))));
+    });
+}
+
+// A sparse scan is written without a look at all of it, and is the same.
+TEST(Store, WhatIsKnownToBeZeroIsNotRead) {
+    test::checkProperty(40, [] {
+        const TemporaryFolder folder;
+        const Volume volume = drawVolume();
+        const StoreLayout layout{8 + *test::below(20), drawCodec(),
+                                 *test::coin() ? Reducing::Mean : Reducing::Commonest};
+        StoreSource source = sourceOf(volume);
+        const auto valuesOf = source.read;
+        const auto isZero = [&](const Box3& box) {
+            const auto values = valuesOf(box);
+            return std::all_of(values.begin(), values.end(), [](std::byte b) { return b == std::byte(0); });
+        };
+        writeStore(folder / "a.zarr", source, layout);
+        std::atomic<bool> isReadInVain = false;
+        source.read = [&](const Box3& box) {
+            isReadInVain = isReadInVain || isZero(box);
+            return valuesOf(box);
+        };
+        source.isZero = isZero;
+        writeStore(folder / "b.zarr", source, layout);
+        RC_ASSERT(!isReadInVain);
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "a.zarr")) {
+            const auto other = folder / "b.zarr" / std::filesystem::relative(entry.path(), folder / "a.zarr");
+            RC_ASSERT(std::filesystem::exists(other));
+            RC_ASSERT((!entry.is_regular_file() || readFile(entry.path()) == readFile(other)));
+        }
+        const auto count = [&](const char* name) {
+            return std::distance(std::filesystem::recursive_directory_iterator(folder / name), {});
+        };
+        RC_ASSERT(count("a.zarr") == count("b.zarr"));
     });
 }
 

@@ -122,7 +122,8 @@ def another_level(display, arguments, folder):
     other.wait_idle("the session", lambda s: "coarser.json" in s["message"] and not s["unsaved"])
     need(path.read_bytes() == before, "what speaks of another level was written over")
     content = json.loads((folder / "coarser.json").read_text())
-    need(content["volume"]["level"] == 1 and content["operations"][1]["finest"] == [[2000, 20, 20]], content)
+    seed = next(op for op in content["operations"] if op["op"] == "seed")
+    need(content["volume"]["level"] == 1 and seed["finest"] == [[2000, 20, 20]], content)
     other.quit()
 
 

@@ -127,6 +127,9 @@ void Detail::use(int level) {
 // Shaders see where the bricks of the level in use are now.
 void Detail::show() {
     isShown_ = false;
+    if (hasLostPool()) {
+        remakePool({});
+    }
     table_.show(level_, pool_, failed_);
     writeBlock();
     isShown_ = true;
@@ -213,6 +216,7 @@ LayerFormats Detail::layerFormats() const {
 
 // The bricks that were there come again from the host.
 void Detail::remakePool(const LayerFormats& formats) {
+    isShown_ = false;
     pool_ = BrickPool(1, texels_.format, 1, 1); // freed first, so that old and new need not fit together
     pool_ = BrickPool(options_.side + 1, texels_.format, poolBytes_, mostBricks(grids_), formats);
     for (Over& over : over_) {
@@ -253,10 +257,14 @@ void Detail::growPool() {
     if (slots <= pool_.slotCount()) {
         return;
     }
+    const std::size_t before = pool_.slotCount();
     try {
         remakePool(formats);
         show();
     } catch (const std::exception&) { // what is allowed may be more than there is
+        poolBytes_ = had;
+    }
+    if (poolBytes_ == had || pool_.slotCount() <= before) {
         poolBytes_ = options_.deviceBytes = had;
         remakePool(formats);
         show();
@@ -320,7 +328,13 @@ std::size_t Detail::endRound(glm::dvec3 viewerVoxel) {
     return missed;
 }
 
+// There was not even the memory that it had before, when it was to grow.
+bool Detail::hasLostPool() const { return pool_.texture().size() == glm::ivec3(1); }
+
 void Detail::place(const ReadBrick& brick) {
+    if (hasLostPool()) {
+        return;
+    }
     if (pool_.isFull() && poolBytes_ < options_.deviceBytes) {
         growPool();
     }

@@ -129,6 +129,7 @@ private:
     [[nodiscard]] LayerFormats layerFormats() const;
     void remakePool(const LayerFormats& formats);
     void growPool();
+    [[nodiscard]] bool hasLostPool() const;
     void place(const ReadBrick& brick);
     void show();
     void writeBlock();

@@ -143,11 +143,16 @@ std::optional<int> levelInReach(const std::filesystem::path& path, const volume:
     if (options.level || !volume::hasLevels(path)) {
         return options.level;
     }
-    const volume::StoreBricks store(path, options);
-    const bool isInReach = fitsATexture(store.levels().front()) &&
-                           workBytes(store.levels().front(), store.type()) <= machineMemory();
-    const int level = isInReach ? 0 : levelToWorkOn(store, budgets.filledIn());
-    return level > 0 ? std::optional(level) : std::nullopt;
+    try {
+        const volume::StoreBricks store(path, options);
+        const bool isInReach = fitsATexture(store.levels().front()) &&
+                               workBytes(store.levels().front(), store.type()) <= machineMemory();
+        const int level = isInReach ? 0 : levelToWorkOn(store, budgets.filledIn());
+        return level > 0 ? std::optional(level) : std::nullopt;
+    } catch (
+        const ReadError&) { // a scan instead that has no such channel, or none at all: who reads it says so
+        return {};
+    }
 }
 
 std::optional<FinerLevels> finerLevels(const volume::Volume& scan, const volume::ReadOptions& read,

@@ -62,7 +62,11 @@ std::vector<glm::ivec3> nearestOf(const segment::VoxelSet& set, const std::vecto
 // Where no level is finer than the one that is worked on, and the operation has none of its voxels.
 template <typename Op>
 void requireVoxels(const Op& op) {
-    if (!op.finest.empty() && op.strokes.empty()) {
+    bool isDrawn = !op.strokes.empty();
+    if constexpr (requires { op.trails; }) {
+        isDrawn = isDrawn || !op.trails.empty();
+    }
+    if (!op.finest.empty() && !isDrawn) {
         throw Error(
             "its voxels are those of a finer level, and none is finer than the one that is worked on; "
             "give `voxels`");

@@ -25,6 +25,15 @@ std::string described(const std::filesystem::path& path, const volume::GridGeome
     return fmt::format("{}: {} x {} x {} {}", path.string(), grid.dims.x, grid.dims.y, grid.dims.z, what);
 }
 
+// Nothing where they cannot be had: then all is read.
+std::optional<volume::CellExtremes> knownExtremes(const volume::BrickSource& levels) {
+    try {
+        return levels.extremes();
+    } catch (const ReadError&) {
+        return {};
+    }
+}
+
 // By what is known of the cells that a box of the finest level touches.
 bool holdsOnlyZeros(const volume::CellExtremes& extremes, const Box3& box) {
     bool isZero = true;
@@ -69,7 +78,7 @@ std::string writeSculptedStore(const std::filesystem::path& path, const ExportSo
         }
         return values;
     };
-    const auto extremes = finest.levels->extremes();
+    const auto extremes = knownExtremes(*finest.levels);
     store.isZero = [&](const Box3& box) {
         const bool isFilled = source.view != field::SculptureView::Whole && filled != 0;
         const bool staysAsItIs =

@@ -151,7 +151,10 @@ bool goToLevel(Session& session, const std::filesystem::path& sessionPath,
     if (wanted == 0 && !isOther) {
         forgetFinest({});
     }
-    if (session.isMade() || !volume::hasLevels(path) || (!isOther && (growsFinest || wanted == 0))) {
+    const bool isAsItIs =
+        !isOther && (growsFinest || wanted == 0 ||
+                     std::none_of(session.operations.begin(), session.operations.end(), namesFinest));
+    if (session.isMade() || !volume::hasLevels(path) || isAsItIs) {
         return false;
     }
     const volume::StoreBricks store(path, used);

@@ -118,7 +118,9 @@ void takeFromFinest(Op& op, const OtherGrid& sceneFromFinest) {
     if (isOfFinestAlone(op)) {
         for (const glm::ivec3 voxel : op.finest) {
             const glm::dvec3 place = glm::dvec3(voxel) * sceneFromFinest.scale + sceneFromFinest.offset;
-            op.voxels.push_back(glm::max(glm::ivec3(glm::floor(place + 0.5)), glm::ivec3(0)));
+            // The last of a level whose size was rounded down lies in none of a coarser one.
+            op.voxels.push_back(
+                glm::clamp(glm::ivec3(glm::floor(place + 0.5)), glm::ivec3(0), sceneFromFinest.dims - 1));
         }
         const auto isBefore = [](glm::ivec3 a, glm::ivec3 b) {
             return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
@@ -193,6 +195,7 @@ OtherGrid otherGrid(const volume::GridGeometry& from, const volume::GridGeometry
     }
     grid.steps = from.stepMm() / to.stepMm();
     grid.generations = grid.steps;
+    grid.dims = to.dims;
     return grid;
 }
 
@@ -205,6 +208,12 @@ Operation onGrid(Operation operation, const OtherGrid& grid) {
         },
         operation);
     return operation;
+}
+
+bool namesFinest(const Operation& operation) {
+    const auto* seed = std::get_if<Seed>(&operation);
+    const auto* absorb = std::get_if<Absorb>(&operation);
+    return (seed != nullptr && !seed->finest.empty()) || (absorb != nullptr && !absorb->finest.empty());
 }
 
 Operation withoutFinest(Operation operation, const OtherGrid& sceneFromFinest) {

@@ -79,17 +79,17 @@ void StoreBricks::giveBack(Decoder decoder) const {
     idle_.push_back(std::move(decoder));
 }
 
-// One that waits may be gone: it ends with the thread that started it. Then another one is asked.
-std::vector<std::byte> StoreBricks::read(int level, const Box3& box) const {
+// What ask(decoder) gives. One that waits may be gone: it ends with the thread that started it. Then another
+// one is asked.
+template <typename Ask>
+auto StoreBricks::answered(const Ask& ask) const {
     bool mayBeGone = true;
     while (true) {
         Decoder decoder = mayBeGone ? take() : start();
         try {
-            fetch(*decoder, level, box, false);
-            decoder->ask(BoxRequest{level, box});
-            auto values = received(*decoder, box.volume() * sizeOf(type_));
+            auto answer = ask(*decoder);
             giveBack(std::move(decoder));
-            return values;
+            return answer;
         } catch (const Error&) {
             const bool hasEnded = !decoder->whyItEnded().empty();
             if (!hasEnded) {
@@ -100,6 +100,14 @@ std::vector<std::byte> StoreBricks::read(int level, const Box3& box) const {
             }
         }
     }
+}
+
+std::vector<std::byte> StoreBricks::read(int level, const Box3& box) const {
+    return answered([&](DecoderProcess& decoder) {
+        fetch(decoder, level, box, false);
+        decoder.ask(BoxRequest{level, box});
+        return received(decoder, box.volume() * sizeOf(type_));
+    });
 }
 
 void StoreBricks::fetch(DecoderProcess& decoder, int level, const Box3& box, bool isOfExtremes) const {
@@ -135,12 +143,14 @@ std::vector<std::byte> StoreBricks::received(DecoderProcess& decoder, std::size_
 }
 
 std::optional<CellExtremes> StoreBricks::extremes() const {
-    Decoder decoder = take();
-    fetch(*decoder, 0, {}, true);
-    decoder->ask(ExtremesRequest{web_ == nullptr});
-    const auto sent = decoder->finalAnswer<SentValues>(path_);
+    return answered([&](DecoderProcess& decoder) { return extremesFrom(decoder); });
+}
+
+std::optional<CellExtremes> StoreBricks::extremesFrom(DecoderProcess& decoder) const {
+    fetch(decoder, 0, {}, true);
+    decoder.ask(ExtremesRequest{web_ == nullptr});
+    const auto sent = decoder.finalAnswer<SentValues>(path_);
     if (sent.bytes == 0) {
-        giveBack(std::move(decoder));
         return {};
     }
     constexpr int longestSide = 1 << 20; // so that no product of a store's sizes is too large
@@ -149,9 +159,7 @@ std::optional<CellExtremes> StoreBricks::extremes() const {
         !isProduct(sent.bytes / (2 * sizeOf(sent.type)), sent.cells)) {
         refuse(path_, "its decoder gave ranges of something else", "get an intact copy of the store");
     }
-    CellExtremes extremes{sent.side, sent.cells, sent.type, decoder->content(sent.bytes)};
-    giveBack(std::move(decoder));
-    return extremes;
+    return CellExtremes{sent.side, sent.cells, sent.type, decoder.content(sent.bytes)};
 }
 
 } // namespace vs::volume

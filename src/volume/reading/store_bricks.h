@@ -45,7 +45,10 @@ private:
     [[nodiscard]] Decoder take() const;
     [[nodiscard]] std::vector<std::byte> received(DecoderProcess& decoder, std::size_t bytes) const;
     void giveBack(Decoder decoder) const;
+    template <typename Ask>
+    auto answered(const Ask& ask) const;
 
+    [[nodiscard]] std::optional<CellExtremes> extremesFrom(DecoderProcess& decoder) const;
     void fetch(DecoderProcess& decoder, int level, const Box3& box, bool isOfExtremes) const;
 
     std::filesystem::path path_;

@@ -102,16 +102,16 @@ private:
         }
     }
 
-    // Chunks of a slab that may hold something, of which a sparse scan has few; others have no file.
+    // Chunks of a slab that may hold something, of which a sparse scan has few. Others have no file, and
+    // never had one: only the same is gone on with.
     [[nodiscard]] std::vector<glm::ivec3> placesToWrite(std::size_t level, int slab) const {
         const ZarrArray& array = store_.levels[level].array;
         std::vector<glm::ivec3> places;
+        reportProgress(double(progress_.doneSlabs()) / double(slabs_));
         for (int y = 0; y < int(array.chunkCount(1)); ++y) {
             for (int x = 0; x < int(array.chunkCount(2)); ++x) {
                 const glm::ivec3 place(x, y, slab);
-                if (isKnownToBeZero(level, place)) {
-                    array.removeChunk(std::array<std::int64_t, 3>{slab, y, x});
-                } else {
+                if (!isKnownToBeZero(level, place)) {
                     places.push_back(place);
                 }
             }
@@ -125,8 +125,8 @@ private:
     }
 
     // The source says it of the finest level; coarser ones hold nothing where the one before has no chunks.
-    [[nodiscard]] bool isKnownToBeZero(std::size_t level, glm::ivec3 place) const {
-        const Box3 box = boxOf(level, place);
+    [[nodiscard]] bool isKnownToBeZero(std::size_t level, glm::ivec3 at) const {
+        const Box3 box = boxOf(level, at);
         if (level == 0) {
             return source_.isZero && source_.isZero(box);
         }
@@ -136,8 +136,9 @@ private:
         bool isZero = true;
         forEachVoxel(Box3{below.lo / layout_.chunk, divideUp(below.hi, layout_.chunk)}, [&](glm::ivec3 chunk,
                                                                                             std::size_t) {
-            isZero = isZero &&
-                     finer.array.storedBytes(std::array<std::int64_t, 3>{chunk.z, chunk.y, chunk.x}) == 0;
+            const std::array<std::int64_t, 3> place{chunk.z, chunk.y, chunk.x};
+            std::error_code error; // what cannot be asked for is read, and refused then
+            isZero = isZero && !std::filesystem::exists(finer.array.chunkFile(place), error) && !error;
         });
         return isZero;
     }

@@ -149,8 +149,7 @@ std::optional<int> levelInReach(const std::filesystem::path& path, const volume:
                                workBytes(store.levels().front(), store.type()) <= machineMemory();
         const int level = isInReach ? 0 : levelToWorkOn(store, budgets.filledIn());
         return level > 0 ? std::optional(level) : std::nullopt;
-    } catch (
-        const ReadError&) { // a scan instead that has no such channel, or none at all: who reads it says so
+    } catch (const ReadError&) { // a scan instead that has no such channel: who reads it says so
         return {};
     }
 }

@@ -29,7 +29,7 @@ std::string described(const std::filesystem::path& path, const volume::GridGeome
 std::optional<volume::CellExtremes> knownExtremes(const volume::BrickSource& levels) {
     try {
         return levels.extremes();
-    } catch (const ReadError&) {
+    } catch (const Error&) {
         return {};
     }
 }

@@ -2,6 +2,7 @@
 #include "studio/exports/store_export.h"
 
 #include "base/error.h"
+#include "base/progress.h"
 #include "volume/grid/visit_type.h"
 #include "volume/store/write_store.h"
 
@@ -29,6 +30,8 @@ std::string described(const std::filesystem::path& path, const volume::GridGeome
 std::optional<volume::CellExtremes> knownExtremes(const volume::BrickSource& levels) {
     try {
         return levels.extremes();
+    } catch (const GivenUp&) {
+        throw;
     } catch (const Error&) {
         return {};
     }

@@ -23,7 +23,8 @@ using LayerFormats = OfBrickLayers<std::optional<gl::Format>>; // nothing: it ha
 class BrickOverlay {
 public:
     virtual ~BrickOverlay() = default;
-    // Channels from 0 to 1.
+    // Channels from 0 to 1: one for cuts; for segments RG8, how much belongs to them and a label / 255, or
+    // RGBA8, opaque ones, translucent ones, label.
     [[nodiscard]] virtual gl::Format format() const = 0;
     [[nodiscard]] virtual bool isEmpty() const = 0;
     // Its texels for a brick of a level, BrickGrid::texels()^3, x fastest; none: all are zero.

@@ -106,6 +106,19 @@ bool Detail::hasTellingRanges(int macrocell) const {
     return !options_.areRangesKnown || glm::all(glm::greaterThanEqual(size, glm::dvec3(1.99 * kBrickCell)));
 }
 
+void Detail::addDefines(const Layers& layers, gl::Defines& defines) const {
+    const auto switches =
+        gl::switchesOn({{"BRICKS", true}, {"FINER", isFiner()}, {"FINER_CUTS", layers.hasCuts}});
+    defines.insert(defines.end(), switches.begin(), switches.end());
+    if (layers.hasSegments) {
+        defines.emplace_back("FINER_SEGMENTS", segmentKinds());
+    }
+}
+
+std::string Detail::segmentKinds() const {
+    return pool_.overlay(BrickLayer::Segments).format() == gl::Format::RGBA8 ? "2" : "1";
+}
+
 void Detail::tell(const std::string& line) {
     const bool isKnown = std::find(failures_.begin(), failures_.end(), line) != failures_.end();
     if (!isKnown && failures_.size() < kMostFailures) {

@@ -7,6 +7,7 @@
 #include "field/bricks/brick_table.h"
 #include "gl/block_layout.h"
 #include "gl/buffer.h"
+#include "gl/shader_source.h"
 
 #include <functional>
 #include <map>
@@ -83,11 +84,15 @@ public:
     // macrocells of so many voxels of the scene along each axis: where these do not know it, or are much
     // larger than the cells of bricks.
     [[nodiscard]] bool hasTellingRanges(int macrocell) const;
-    // Which layers a program looks up besides: compiled with FINER_CUTS and FINER_SEGMENTS.
+    // Which layers a program looks up besides.
     struct Layers {
         bool hasCuts = false;
         bool hasSegments = false;
     };
+    // What such a program is compiled with, but for BRICK_RANGES: BRICKS, FINER, FINER_CUTS, FINER_SEGMENTS.
+    void addDefines(const Layers& layers, gl::Defines& defines) const;
+    // FINER_SEGMENTS: how many kinds of segments the layer tells apart, 2 with translucent ones.
+    [[nodiscard]] std::string segmentKinds() const;
     // Binds uniform block 4, textures 6 and 12 and storage 6: see field/shaders/bricks.glsl; of layers also
     // textures 15 (cuts) and 4 (segments), with what lies over the bricks now.
     void bind(const Layers& layers);

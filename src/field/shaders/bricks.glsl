@@ -139,8 +139,12 @@ float levelSculptureAt(vec3 q) {
 #endif
 
 #ifdef FINER_SEGMENTS
-// How much belongs to opaque segments (x) and to translucent ones (y) of the finest level, likewise.
+// Segments of the finest level, likewise: how much belongs to opaque ones, where FINER_SEGMENTS is 2 also how
+// much to translucent ones, and behind these the label of the segment that has a voxel, 0 for none.
 layout(binding = kBrickSegmentsTexture) uniform sampler3D brickSegments;
+
+vec2 membershipsOf(vec4 texel) { return FINER_SEGMENTS == 2 ? texel.rg : vec2(texel.r, 0.0); }
+uint labelOf(vec4 texel) { return uint(texel[FINER_SEGMENTS] * 255.0 + 0.5); }
 
 #ifdef FETCHED
 vec2 pairInPool(sampler3D pool, vec3 slot, vec3 inBrick) {
@@ -151,13 +155,13 @@ vec2 pairInPool(sampler3D pool, vec3 slot, vec3 inBrick) {
     for (int corner = 0; corner < 8; ++corner) {
         ivec3 offset = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
         vec3 w = mix(1.0 - f, f, vec3(offset));
-        sum += w.x * w.y * w.z * texelFetch(pool, first + offset, 0).rg;
+        sum += w.x * w.y * w.z * membershipsOf(texelFetch(pool, first + offset, 0));
     }
     return sum;
 }
 #else
 vec2 pairInPool(sampler3D pool, vec3 slot, vec3 inBrick) {
-    return textureLod(pool, (slot + inBrick + 0.5) * poolScale.xyz, 0.0).rg;
+    return membershipsOf(textureLod(pool, (slot + inBrick + 0.5) * poolScale.xyz, 0.0));
 }
 #endif
 
@@ -172,5 +176,26 @@ vec2 levelMembershipsAt(vec3 q) {
         isAway = false;
     }
     return memberships;
+}
+
+// The cell around a place in the level's voxel space, for the labels at its corners. Where its brick is not
+// there, that of the scene's voxels.
+LabelCell levelLabelCell(vec3 q) {
+    vec3 slot;
+    vec3 inBrick;
+    bool isInPool = findInPool(q, slot, inBrick);
+    vec3 p = (q - levelOrigin.xyz) / levelScale.xyz;
+    ivec3 first = isInPool ? ivec3(slot) + ivec3(inBrick) : ivec3(floor(p));
+    return LabelCell(first, isInPool ? inBrick - floor(inBrick) : p - floor(p), isInPool);
+}
+
+uint levelLabelAt(LabelCell cell, ivec3 offset) {
+    uint label = labelOf(texelFetch(brickSegments, cell.isInPool ? cell.first + offset : ivec3(0), 0));
+    bool isOfScene = !cell.isInPool;
+    while (isOfScene) {
+        label = segmentOf(cell.first + offset);
+        isOfScene = false;
+    }
+    return label;
 }
 #endif

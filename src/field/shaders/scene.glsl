@@ -4,7 +4,8 @@
 // Spaces: voxel space has voxel centres at integers; texture space is (p + 0.5) / dims; world is LPS
 // millimetres. Bindings: uniform block 0; textures 0 data, 1 sculpture, 2 segmentation, 13 labels, with QUADS
 // 6 (field::SceneBinding). BRICKS: the data's values are those of a finer level, from bricks (bricks.glsl),
-// with FINER_CUTS what was cut is, and with FINER_SEGMENTS so is what belongs to segments.
+// with FINER_CUTS what was cut is, and with FINER_SEGMENTS so is what belongs to segments, and their labels:
+// it is 1, or 2 where opaque and translucent ones are told apart.
 // ALL_SEGMENTS: translucent segments count as opaque ones do. SMOOTHED: dataAt()
 // gives smoothed values, of textures 15 and 12, sectionValueAt() the values themselves. PULLED: of segments
 // only one is there; APART: others may touch it (one_segment.glsl).
@@ -49,6 +50,18 @@ vec3 textureFromVoxel(vec3 p) {
 #else
 vec3 textureFromVoxel(vec3 p) { return (p + 0.5) * sceneFlags.yzw; }
 #endif
+
+// The segment that a voxel belongs to, 0 none; of places outside the grid, that of the nearest voxel.
+uint segmentOf(ivec3 voxel) {
+    return texelFetch(segmentLabels, clamp(voxel, ivec3(0), textureSize(segmentLabels, 0) - 1), 0).r;
+}
+
+// Eight voxels around a place: the first of them, and where the place lies between that and the last.
+struct LabelCell {
+    ivec3 first;
+    vec3 part;
+    bool isInPool; // `first` is a texel of bricks, not a voxel of the scene
+};
 
 // Values are sampled in a voxel space of their own, of the scene's grid or of a finer level's.
 #ifdef BRICKS
@@ -150,10 +163,14 @@ float clearOfSegments(vec2 memberships) { return 0.16 - max(memberships.x, membe
 
 float translucentAt(vec3 p) { return membershipsAt(p).y; }
 
-// The segment that a voxel belongs to, 0 none; of places outside the grid, that of the nearest voxel.
-uint segmentOf(ivec3 voxel) {
-    return texelFetch(segmentLabels, clamp(voxel, ivec3(0), textureSize(segmentLabels, 0) - 1), 0).r;
-}
+// The labels of the segments around p: at a corner of the cell, whose `offset` is 0 or 1 along each axis.
+#ifdef FINER_SEGMENTS
+LabelCell labelCellAt(vec3 p) { return levelLabelCell(sampledFromVoxel(p)); }
+uint labelAt(LabelCell cell, ivec3 offset) { return levelLabelAt(cell, offset); }
+#else
+LabelCell labelCellAt(vec3 p) { return LabelCell(ivec3(floor(p)), p - floor(p), false); }
+uint labelAt(LabelCell cell, ivec3 offset) { return segmentOf(cell.first + offset); }
+#endif
 
 // How far a value is inside what is visible of the values: the displayed range, without an upper end where
 // limits.x says so.

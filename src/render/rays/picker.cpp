@@ -36,15 +36,14 @@ gl::Defines definesFor(const Frame& frame, Picker::Meets meets) {
         {"SMOOTHED", scene.smoothed != nullptr},
         {"TRICUBIC", scene.sampling == field::Sampling::Tricubic},
         {"QUADS", bool(searched.quads) && frame.detail == nullptr},
-        {"BRICKS", frame.detail != nullptr},
         {"BRICK_RANGES", frame.detail != nullptr && frame.detail->hasTellingRanges(field::kCell)},
-        {"FINER", frame.detail != nullptr && frame.detail->isFiner()},
         {"FETCHED", frame.detail != nullptr},
-        {"FINER_CUTS", layersOf(frame).hasCuts},
-        {"FINER_SEGMENTS", layersOf(frame).hasSegments},
         {"SEGMENTS", byFunction && scene.segmentation != nullptr},
         {"PICK_MAXIMUM", frame.mode == Mode::Mip && meets != Picker::Meets::Surface},
     });
+    if (frame.detail != nullptr) {
+        frame.detail->addDefines(layersOf(frame), defines);
+    }
     defines.emplace_back("CONTENT", std::to_string(content));
     if (byFunction) {
         frame.classification->addDefines(defines);

@@ -43,16 +43,15 @@ gl::Defines RayCaster::definesFor(const Frame& frame) {
         {"LIT", frame.occlusion != nullptr && isLit},
         {"PARTS", !frame.pasted.empty() || !frame.pulled.empty()},
         {"QUADS", bool(searched.quads) && frame.detail == nullptr},
-        {"BRICKS", frame.detail != nullptr},
         {"BRICK_RANGES", frame.detail != nullptr && frame.detail->hasTellingRanges(field::kCell)},
-        {"FINER", frame.detail != nullptr && frame.detail->isFiner()},
-        {"FINER_CUTS", layersOf(frame).hasCuts},
-        {"FINER_SEGMENTS", layersOf(frame).hasSegments},
         {"SMOOTHED", scene.smoothed != nullptr},
         {"TRICUBIC", scene.sampling == field::Sampling::Tricubic},
         {"SEGMENTS", addsSegments(frame)},
         {"TRANSLUCENT", drawsTranslucent(frame)},
     });
+    if (frame.detail != nullptr) {
+        frame.detail->addDefines(layersOf(frame), defines);
+    }
     defines.emplace_back("MODE", std::to_string(static_cast<int>(frame.mode)));
     if (frame.classification != nullptr) {
         frame.classification->addDefines(defines);
@@ -84,7 +83,7 @@ gl::Defines RayCaster::definesFor(const Frame& frame, const PulledSegment& segme
     Frame own = alone;
     own.scene.segmentation = segment.scene.segmentation;
     if (layersOf(own).hasSegments && !layersOf(alone).hasSegments) {
-        defines.emplace_back("FINER_SEGMENTS", "1");
+        defines.emplace_back("FINER_SEGMENTS", frame.detail->segmentKinds());
     }
     return defines;
 }

@@ -1,10 +1,14 @@
 // Draws one layer of voxels (render::SliceRenderer, which says what is seen).
 // SCULPTED: the sculpture hides some. SEGMENTED: there are segments. TINTED: what the 3D picture shows is
 // coloured: by the transfer function where there is a TF_KIND, else in one tint.
-// BRICKS: values are those of a finer level. FINER: see cast_rays.comp.
-// Spaces: the slice runs through voxel centres, so of a place's cell only four corners count; they are asked
-// for once, and everything is interpolated from them: corner 0 is the cell's first, 1 across, 2 down, 3 both.
+// BRICKS: values are those of a finer level. FINER: see cast_rays.comp. FINER_CUTS, FINER_SEGMENTS: what is
+// cut and what belongs to segments is, too.
+// Spaces: the slice runs through voxel centres of the scene, so of a place's cell only four corners count;
+// they are asked for once, and everything is interpolated from them: corner 0 is the cell's first, 1 across,
+// 2 down, 3 both. Of a finer level's cell, too, of which it may run between two layers of voxels.
+//
 // In: the scene, texture 14 segment colours. Out: image 0.
+// variants: ;SCULPTED=1 SEGMENTED=1 TINTED=1;BRICKS=1 FINER=1 SCULPTED=1 FINER_CUTS=1;BRICKS=1 FINER=1 SEGMENTED=1 FINER_SEGMENTS=1;BRICKS=1 FINER=1 SCULPTED=1 SEGMENTED=1 FINER_CUTS=1 FINER_SEGMENTS=2
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "field/shaders/bindings.glsl"
@@ -36,6 +40,7 @@ const vec3 kOutside = vec3(0.043, 0.051, 0.059);
 
 struct Cell {
     ivec3 corners[4];
+    vec3 beside; // from these to the slice
     vec4 weights;
     int nearest;         // which corner
     vec2 part;           // where in the cell, 0 to 1 across and down
@@ -43,12 +48,16 @@ struct Cell {
     mat2 partPerPixel;   // columns: per pixel to the right, down
 };
 
-Cell cellAt(vec3 p) {
+// Of a grid of so many voxels, whose steps are the scene's times `scale`; p is a place in it.
+Cell cellIn(vec3 p, vec3 scale, ivec3 voxels) {
     Cell cell;
-    ivec3 base = ivec3(floor(p + vec3(1 - across - down) * 0.5)); // along the slice's normal: the nearest
+    ivec3 normal = 1 - across - down;
+    ivec3 base = ivec3(floor(p + vec3(normal) * 0.5)); // along the slice's normal: the nearest
     vec3 offset = p - vec3(base);
     cell.part = vec2(dot(offset, vec3(across)), dot(offset, vec3(down)));
-    ivec3 last = dims.xyz - 1;
+    ivec3 last = voxels - 1;
+    vec3 inside = clamp(p, vec3(0.0), vec3(last));
+    cell.beside = (inside - vec3(clamp(base, ivec3(0), last))) * vec3(normal);
     cell.corners[0] = clamp(base, ivec3(0), last);
     cell.corners[1] = clamp(base + across, ivec3(0), last);
     cell.corners[2] = clamp(base + down, ivec3(0), last);
@@ -56,12 +65,25 @@ Cell cellAt(vec3 p) {
     vec2 f = cell.part;
     cell.weights = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
     cell.nearest = (f.x >= 0.5 ? 1 : 0) + (f.y >= 0.5 ? 2 : 0);
-    cell.partPerPixel = mat2(dot(perRight, vec3(across)), dot(perRight, vec3(down)),
-                             dot(perDown, vec3(across)), dot(perDown, vec3(down)));
+    vec3 right = perRight * scale;
+    vec3 below = perDown * scale;
+    cell.partPerPixel = mat2(dot(right, vec3(across)), dot(right, vec3(down)), dot(below, vec3(across)),
+                             dot(below, vec3(down)));
     mat2 t = transpose(cell.partPerPixel);
     cell.pixelsPerVoxel = 1.0 / vec2(length(t[0]), length(t[1]));
     return cell;
 }
+
+Cell cellAt(vec3 p) { return cellIn(p, vec3(1.0), dims.xyz); }
+
+#ifdef BRICKS
+Cell finerCellAt(vec3 p) { return cellIn(sampledFromVoxel(p), sampledPerVoxel(), sampledDims()); }
+
+// Where in the level the slice goes by a corner; that voxel itself where voxels are areas.
+vec3 besideCorner(Cell cell, int i) {
+    return vec3(cell.corners[i]) + (isSmooth != 0 ? cell.beside : vec3(0.0));
+}
+#endif
 
 // Of values at the corners: what is at the place.
 float blend(Cell cell, vec4 values) {
@@ -87,10 +109,8 @@ float pixelsInside(Cell cell, vec4 values) {
 }
 
 #ifdef BRICKS
-// Of a finer level, of which the slice lies between two layers of voxels.
-float valueAt(vec3 p, Cell cell) {
-    vec3 q = sampledFromVoxel(p);
-    return levelValueAt(isSmooth != 0 ? q : round(q));
+float finerValueAt(vec3 p, Cell finer) {
+    return levelValueAt(isSmooth != 0 ? sampledFromVoxel(p) : vec3(finer.corners[finer.nearest]));
 }
 #else
 vec4 valuesAround(Cell cell) {
@@ -98,7 +118,7 @@ vec4 valuesAround(Cell cell) {
                 voxelValue(cell.corners[3]));
 }
 
-float valueAt(vec3 p, Cell cell) { return blend(cell, valuesAround(cell)); }
+float valueAt(Cell cell) { return blend(cell, valuesAround(cell)); }
 #endif
 
 float greyAt(float value) {
@@ -134,7 +154,11 @@ vec3 valueColour(float value, vec3 p) {
 vec3 hideCut(vec3 colour, Cell cell, ivec2 pixel) {
     vec4 cut;
     for (int i = 0; i < 4; ++i) {
+#ifdef FINER_CUTS
+        float value = levelSculptureAt(besideCorner(cell, i));
+#else
         float value = texelFetch(sculptureTexture, cell.corners[i], 0).r;
+#endif
         cut[i] = dims.w == 1 ? value : 1.0 - value;
     }
     float inside = pixelsInside(cell, cut);
@@ -147,6 +171,49 @@ vec3 hideCut(vec3 colour, Cell cell, ivec2 pixel) {
 #endif
 
 #ifdef SEGMENTED
+#ifdef FINER_SEGMENTS
+// How much a corner belongs to any segment, and which one has it.
+struct Owner {
+    float membership;
+    uint label;
+};
+
+Owner ownerAt(LabelCell around, ivec3 offset) {
+    vec4 texel = texelFetch(brickSegments, around.isInPool ? around.first + offset : ivec3(0), 0);
+    vec2 both = membershipsOf(texel);
+    Owner owner = Owner(max(both.x, both.y), labelOf(texel));
+    bool isOfScene = !around.isInPool;
+    while (isOfScene) {
+        ivec3 voxel = clamp(around.first + offset, ivec3(0), dims.xyz - 1);
+        both = texelFetch(segmentationTexture, voxel, 0).rg;
+        owner = Owner(max(both.x, both.y), segmentOf(voxel));
+        isOfScene = false;
+    }
+    return owner;
+}
+
+// What is in one of the two layers that the slice runs between is seen: no thin segment is lost in their
+// mean.
+Owner ownerOfCorner(Cell cell, int i) {
+    LabelCell around = levelLabelCell(besideCorner(cell, i));
+    ivec3 normal = 1 - across - down;
+    ivec3 nearer = ivec3(floor(around.part + 0.5)) * normal;
+    Owner owner = ownerAt(around, nearer);
+    Owner other = ownerAt(around, normal - nearer);
+    bool isBetween = dot(around.part, vec3(normal)) > 1e-3;
+    return isBetween && other.membership > owner.membership ? other : owner;
+}
+
+float membershipOfCorner(Cell cell, int i) { return ownerOfCorner(cell, i).membership; }
+uint labelOfCorner(Cell cell, int i) { return ownerOfCorner(cell, i).label; }
+#else
+float membershipOfCorner(Cell cell, int i) {
+    vec2 both = texelFetch(segmentationTexture, cell.corners[i], 0).rg;
+    return max(both.x, both.y);
+}
+uint labelOfCorner(Cell cell, int i) { return segmentOf(cell.corners[i]); }
+#endif
+
 // One segment over what is below: how much the corners belong to it is in `memberships`.
 void coverBy(inout vec3 colour, Cell cell, vec4 memberships, vec4 entry) {
     float inside = pixelsInside(cell, memberships);
@@ -174,14 +241,13 @@ int nextSegment(uvec4 labels, int i) {
 void coverBySegments(inout vec3 colour, Cell cell) {
     vec4 memberships;
     for (int i = 0; i < 4; ++i) {
-        vec2 both = texelFetch(segmentationTexture, cell.corners[i], 0).rg;
-        memberships[i] = max(both.x, both.y);
+        memberships[i] = membershipOfCorner(cell, i);
     }
     // Outside of all, and in what is hidden, nothing is anyone's.
     int count = any(greaterThanEqual(memberships, vec4(0.5))) ? 4 : 0;
     uvec4 labels = uvec4(0u);
     for (int i = 0; i < count; ++i) {
-        labels[i] = memberships[i] >= 0.5 ? segmentOf(cell.corners[i]) : 0u;
+        labels[i] = memberships[i] >= 0.5 ? labelOfCorner(cell, i) : 0u;
         // What goes on behind a cut for the picture's sake (segment/membership/continuation.h) has not grown.
         memberships[i] = labels[i] == 0u ? min(memberships[i], 1.0 - memberships[i]) : memberships[i];
     }
@@ -203,11 +269,20 @@ void main() {
     vec3 colour = kOutside;
     if (all(greaterThanEqual(p, vec3(-0.5))) && all(lessThan(p, vec3(dims.xyz) - 0.5))) {
         Cell cell = cellAt(p);
-        colour = valueColour(valueAt(p, cell), p);
-#ifdef SCULPTED
+#ifdef BRICKS
+        Cell finer = finerCellAt(p);
+        colour = valueColour(finerValueAt(p, finer), p);
+#else
+        colour = valueColour(valueAt(cell), p);
+#endif
+#ifdef FINER_CUTS
+        colour = hideCut(colour, finer, pixel);
+#elif defined(SCULPTED)
         colour = hideCut(colour, cell, pixel);
 #endif
-#ifdef SEGMENTED
+#ifdef FINER_SEGMENTS
+        coverBySegments(colour, finer);
+#elif defined(SEGMENTED)
         coverBySegments(colour, cell);
 #endif
     }

@@ -12,19 +12,24 @@ namespace vs::render {
 
 namespace {
 
-bool hasFinerCuts(const SliceFrame& frame) {
-    return frame.detail != nullptr && frame.scene.sculpture != nullptr &&
-           frame.scene.view != field::SculptureView::Whole && frame.scene.hasFinerCuts;
+bool isSculpted(const SliceFrame& frame) {
+    return frame.scene.sculpture != nullptr && frame.scene.view != field::SculptureView::Whole;
+}
+
+field::Detail::Layers layersOf(const SliceFrame& frame) {
+    field::Detail::Layers layers;
+    layers.hasCuts = isSculpted(frame) && frame.scene.hasFinerCuts;
+    layers.hasSegments = frame.scene.segmentation != nullptr && frame.scene.hasFinerSegments;
+    return layers;
 }
 
 gl::Defines definesFor(const SliceFrame& frame) {
-    gl::Defines defines = gl::switchesOn(
-        {{"SCULPTED", frame.scene.sculpture != nullptr && frame.scene.view != field::SculptureView::Whole},
-         {"SEGMENTED", frame.scene.segmentation != nullptr},
-         {"TINTED", frame.tintsVisible},
-         {"BRICKS", frame.detail != nullptr},
-         {"FINER", frame.detail != nullptr && frame.detail->isFiner()},
-         {"FINER_CUTS", hasFinerCuts(frame)}});
+    gl::Defines defines = gl::switchesOn({{"SCULPTED", isSculpted(frame)},
+                                          {"SEGMENTED", frame.scene.segmentation != nullptr},
+                                          {"TINTED", frame.tintsVisible}});
+    if (frame.detail != nullptr) {
+        frame.detail->addDefines(layersOf(frame), defines);
+    }
     if (frame.tintsVisible && frame.classification != nullptr) {
         frame.classification->addDefines(defines);
     }
@@ -93,7 +98,7 @@ void SliceRenderer::draw(const SliceFrame& frame, gl::Program& program) {
     segmentColours_.bindTexture(kSegmentColoursTexture);
     sceneBinding_.bind(frame.scene);
     if (frame.detail != nullptr) {
-        frame.detail->bind({hasFinerCuts(frame), false});
+        frame.detail->bind(layersOf(frame));
     }
     if (frame.tintsVisible && frame.classification != nullptr) {
         frame.classification->bind();

@@ -31,8 +31,8 @@ struct SliceFrame {
 // is asked for, those that the 3D picture shows in a tint or in the transfer function's colours; what the
 // sculpture hides darkened and hatched, segments as a translucent area with an outline. A slice lies on voxel
 // centres, so its values are interpolated within it and with isSmooth off they are the voxels' own.
-// Membership of segments is that of the scene: exact at voxel centres, and where two segments touch both have
-// an outline.
+// Segments, and what is cut, are those of the level whose values are shown, or of the scene: exact at voxel
+// centres, and where two segments touch both have an outline.
 class SliceRenderer {
 public:
     // Where the frame has finer levels the one is used that its pixels ask for; bricks that are not there are

@@ -7,17 +7,65 @@
 
 namespace vs::segment {
 
+void Shares::add(glm::ivec3 v, Member whose, std::uint8_t label) {
+    Share& share = of_.at(v);
+    ++share.counts[whose];
+    std::uint32_t& lead = share.leads[whose];
+    share.labels[whose] = lead == 0 ? label : share.labels[whose];
+    lead = share.labels[whose] == label ? lead + 1 : lead - 1;
+}
+
+Owned Shares::owned(const std::function<std::size_t(glm::ivec3)>& finerIn) const {
+    Owned owned(of_.box);
+    std::vector<glm::ivec3> some; // which have less than half
+    forEachVoxel(of_.box, [&](glm::ivec3 v, std::size_t i) {
+        const Share& share = of_.all[i];
+        const Member most = share.most();
+        if (share.counts[most] == 0) {
+            return;
+        }
+        const std::size_t half = std::max<std::size_t>((finerIn(v) + 1) / 2, 1);
+        if (share.counts[most] < half) {
+            some.push_back(v);
+            return;
+        }
+        owned.members.all[i] = most;
+        owned.labels.all[i] = share.labels[most];
+    });
+    addThin(some, owned);
+    return owned;
+}
+
+void Shares::addThin(const std::vector<glm::ivec3>& some, Owned& owned) const {
+    std::vector<glm::ivec3> thin;
+    for (const glm::ivec3 v : some) {
+        const Member most = of_.at(v).most();
+        bool isThin = true;
+        forEachVoxel(intersect(grow(Box3{v, v + 1}, 1), of_.box), [&](glm::ivec3 near, std::size_t) {
+            isThin = isThin && owned.members.at(near) != most;
+        });
+        if (isThin) {
+            thin.push_back(v);
+        }
+    }
+    for (const glm::ivec3 v : thin) {
+        const Share& share = of_.at(v);
+        owned.members.at(v) = share.most();
+        owned.labels.at(v) = share.labels[share.most()];
+    }
+}
+
 void goOnBehindCuts(Members& members) {
-    std::vector<glm::ivec3> hidden;
+    std::vector<glm::ivec3> unknown;
     forEachVoxel(members.box, [&](glm::ivec3 v, std::size_t i) {
-        if (members.all[i] == kHidden) {
-            hidden.push_back(v);
+        if (members.all[i] == kBehind) {
+            unknown.push_back(v);
         }
     });
-    for (int step = 0; step < kBehindCuts && !hidden.empty(); ++step) {
+    for (int step = 0; step < kBehindCuts && !unknown.empty(); ++step) {
         std::vector<std::pair<glm::ivec3, Member>> found;
         std::vector<glm::ivec3> left;
-        for (const glm::ivec3 v : hidden) {
+        for (const glm::ivec3 v : unknown) {
             std::array<int, 3> counts{};
             for (int axis = 0; axis < 3; ++axis) {
                 for (const int side : {-1, 1}) {
@@ -25,8 +73,8 @@ void goOnBehindCuts(Members& members) {
                     near[axis] += side;
                     const bool isInside =
                         near[axis] >= members.box.lo[axis] && near[axis] < members.box.hi[axis];
-                    const Member whose = isInside ? members.at(near) : kHidden;
-                    if (whose != kHidden) {
+                    const Member whose = isInside ? members.at(near) : kBehind;
+                    if (whose < kBehind) {
                         ++counts[whose];
                     }
                 }
@@ -41,10 +89,10 @@ void goOnBehindCuts(Members& members) {
         for (const auto& [v, whose] : found) {
             members.at(v) = whose;
         }
-        hidden.swap(left);
+        unknown.swap(left);
     }
-    for (const glm::ivec3 v : hidden) {
-        members.at(v) = 0;
+    for (Member& whose : members.all) {
+        whose = whose >= kBehind ? Member(whose - kBehind) : whose;
     }
 }
 

@@ -5,7 +5,9 @@
 #include "segment/membership/membership.h"
 #include "segment/membership/segmentation.h"
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace vs::segment {
@@ -14,7 +16,7 @@ namespace vs::segment {
 using Member = std::uint8_t;
 constexpr auto kOpaque = Member(Look::Opaque);
 constexpr auto kTranslucent = Member(Look::Translucent);
-constexpr Member kHidden = 255; // behind a cut: not known yet
+constexpr Member kBehind = 128; // added to these: behind a cut, where nobody's is not known
 
 // A value for each voxel of a box, x fastest.
 template <typename T>
@@ -35,10 +37,44 @@ struct Values {
 
 using Members = Values<Member>;
 
+// Whose voxels are, and the labels of those who have them: 0 for nobody.
+struct Owned {
+    explicit Owned(const Box3& box) : members(box), labels(box) {}
+
+    Members members;
+    Values<std::uint8_t> labels;
+};
+
+// Whose voxels of a coarse level are, found from the finer ones in them.
+class Shares {
+public:
+    explicit Shares(const Box3& box) : of_(box) {}
+    // One of the finer voxels in v.
+    void add(glm::ivec3 v, Member whose, std::uint8_t label);
+    // Who has at least half of the `finerIn` voxels in one, or any where nobody around has half. Its label is
+    // that of the segment which has more than half of those voxels, or of one that has some.
+    [[nodiscard]] Owned owned(const std::function<std::size_t(glm::ivec3)>& finerIn) const;
+
+private:
+    struct Share {
+        std::array<std::uint32_t, 3> counts{}; // by Member
+        std::array<std::uint32_t, 3> leads{};  // likewise: of the label below (Boyer and Moore's vote)
+        std::array<std::uint8_t, 3> labels{};
+
+        [[nodiscard]] Member most() const {
+            return counts[kOpaque] >= counts[kTranslucent] ? kOpaque : kTranslucent;
+        }
+    };
+    void addThin(const std::vector<glm::ivec3>& some, Owned& owned) const;
+
+    Values<Share> of_;
+};
+
 // How far segments go on behind a cut: as far as counts for the first voxel behind it.
 constexpr int kBehindCuts = kKernelReach + 1;
 
-// What was not known behind a cut becomes what most of its six neighbours are, from the cut on.
+// What is not known behind a cut becomes what most of its six neighbours are, from those in front of the cut
+// on. Nothing is marked as behind any more.
 void goOnBehindCuts(Members& members);
 
 // Adds up values of up to kKernelReach neighbours to both sides along an axis, weighted; the result is so

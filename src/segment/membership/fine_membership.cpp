@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// A brick's texels are made from whose its voxels are (Owned), of the finest level or of shares of it.
 #include "segment/membership/fine_membership.h"
 
 #include "segment/finer/fine_growth.h"
@@ -23,30 +24,31 @@ public:
           shown_(std::move(shown)) {}
 
     [[nodiscard]] gl::Format format() const override {
-        return shown_.hasTranslucent ? gl::Format::RG8 : gl::Format::R8;
+        return shown_.hasTranslucent ? gl::Format::RGBA8 : gl::Format::RG8;
     }
     [[nodiscard]] bool isEmpty() const override { return map_.empty(); }
 
     [[nodiscard]] std::vector<std::byte> texelsOf(const field::BrickGrid& level,
                                                   glm::ivec3 brick) const override {
-        const Members members = membersAround(level, brick);
-        const bool isAny =
-            std::any_of(members.all.begin(), members.all.end(), [](Member whose) { return whose != 0; });
-        if (!isAny) {
+        const Owned owned = ownedAround(level, brick);
+        if (!isAnyShown(owned.members)) {
             return {};
         }
-        const std::size_t channels = shown_.hasTranslucent ? 2 : 1;
+        const std::size_t kinds = shown_.hasTranslucent ? 2 : 1;
+        const std::size_t channels = gl::bytesPerTexel(format());
         const Box3 box = boxOf(level, brick);
         const Box3 own = intersect(box, {glm::ivec3(0), level.dims});
         std::vector<std::byte> texels(channels * box.volume());
-        for (std::size_t channel = 0; channel < channels; ++channel) {
-            const Values<std::uint8_t> of =
-                membership(members, channel == 0 ? kOpaque : kTranslucent, own, level);
-            // What lies beyond the grid is what is at its border.
+        // What lies beyond the grid is what is at its border.
+        const auto fill = [&](std::size_t channel, const Values<std::uint8_t>& values) {
             forEachVoxel(box, [&](glm::ivec3 v, std::size_t i) {
-                texels[channels * i + channel] = std::byte(of.at(glm::min(v, level.dims - 1)));
+                texels[channels * i + channel] = std::byte(values.at(glm::min(v, level.dims - 1)));
             });
+        };
+        for (std::size_t kind = 0; kind < kinds; ++kind) {
+            fill(kind, membership(owned.members, kind == 0 ? kOpaque : kTranslucent, own, level));
         }
+        fill(kinds, owned.labels);
         return texels;
     }
 
@@ -156,12 +158,16 @@ private:
                          visit(std::uint32_t(number), place * field::kBrick);
                      });
     }
+    [[nodiscard]] static bool isAnyShown(const Members& members) {
+        return std::any_of(members.all.begin(), members.all.end(), [](Member whose) { return whose != 0; });
+    }
     [[nodiscard]] bool isAnyShown(const FineCells& cells) const {
         return std::any_of(cells.spans().begin(), cells.spans().end(), [&](const auto& entry) {
             return shown_.looks[entry.first] != Look::Hidden && entry.second.first <= lastShown(entry.first);
         });
     }
-    // Calls visit(voxel, whose) with the voxels of the finest level in a box that are shown in segments.
+    // Calls visit(voxel, whose, label) with the voxels of the finest level in a box that are shown in
+    // segments.
     template <typename Visit>
     void forEachMember(const Box3& finest, const Visit& visit) const {
         forEachBrick(finest, [&](std::uint32_t number, glm::ivec3 lo) {
@@ -176,32 +182,33 @@ private:
                 if (whose != 0 && generation <= lastShown(label) &&
                     glm::all(glm::greaterThanEqual(voxel, finest.lo)) &&
                     glm::all(glm::lessThan(voxel, finest.hi))) {
-                    visit(voxel, whose);
+                    visit(voxel, whose, label);
                 }
             });
         });
     }
 
     // Whose the voxels of a level are, in a brick and as far around as counts for it.
-    [[nodiscard]] Members membersAround(const field::BrickGrid& level, glm::ivec3 brick) const {
+    [[nodiscard]] Owned ownedAround(const field::BrickGrid& level, glm::ivec3 brick) const {
         const Box3 box = padded(level, brick);
         const FinestEdges edges(grid_, level, box);
-        const Box3 finest = edges.finestIn(box);
-        Members members = level.dims == grid_.dims ? membersOfFinest(box) : sharesOf(edges, finest);
-        const bool isAny =
-            std::any_of(members.all.begin(), members.all.end(), [](Member whose) { return whose != 0; });
-        if (isAny && shown_.fence && shown_.view != field::SculptureView::Whole) {
-            hideCut(edges, members);
-            goOnBehindCuts(members);
+        Owned owned = level.dims == grid_.dims ? ownedAtFinest(box) : ownedByShares(edges);
+        if (isAnyShown(owned.members) && shown_.fence && shown_.view != field::SculptureView::Whole) {
+            hideCut(edges, owned.members);
+            goOnBehindCuts(owned.members);
         }
-        return members;
+        return owned;
     }
-    [[nodiscard]] Members membersOfFinest(const Box3& box) const {
-        Members members(box);
-        forEachMember(box, [&](glm::ivec3 voxel, Member whose) { members.at(voxel) = whose; });
-        return members;
+    [[nodiscard]] Owned ownedAtFinest(const Box3& box) const {
+        Owned owned(box);
+        forEachMember(box, [&](glm::ivec3 voxel, Member whose, std::uint8_t label) {
+            const std::size_t i = owned.members.indexOf(voxel);
+            owned.members.all[i] = whose;
+            owned.labels.all[i] = label;
+        });
+        return owned;
     }
-    [[nodiscard]] Members sharesOf(const FinestEdges& edges, const Box3& finest) const {
+    [[nodiscard]] Owned ownedByShares(const FinestEdges& edges) const {
         // The voxel of the level that each finest one lies in, along each axis.
         std::array<std::vector<int>, 3> levelOf;
         for (int axis = 0; axis < 3; ++axis) {
@@ -210,49 +217,17 @@ private:
                 levelOf[std::size_t(axis)].insert(levelOf[std::size_t(axis)].end(), std::size_t(count), v);
             }
         }
-        Values<std::array<std::uint32_t, 3>> counts(edges.box); // by Member
-        forEachMember(finest, [&](glm::ivec3 voxel, Member whose) {
+        const Box3 finest = edges.finestIn(edges.box);
+        Shares shares(edges.box);
+        forEachMember(finest, [&](glm::ivec3 voxel, Member whose, std::uint8_t label) {
             const glm::ivec3 at = voxel - finest.lo;
-            ++counts.at({levelOf[0][std::size_t(at.x)], levelOf[1][std::size_t(at.y)],
-                         levelOf[2][std::size_t(at.z)]})[whose];
+            shares.add(
+                {levelOf[0][std::size_t(at.x)], levelOf[1][std::size_t(at.y)], levelOf[2][std::size_t(at.z)]},
+                whose, label);
         });
-        Members members(edges.box);
-        std::vector<std::size_t> some; // which have less than half
-        forEachVoxel(edges.box, [&](glm::ivec3 v, std::size_t i) {
-            const auto& of = counts.all[i];
-            const std::size_t half = std::max<std::size_t>((edges.finestIn({v, v + 1}).volume() + 1) / 2, 1);
-            const Member whose = of[kOpaque] >= of[kTranslucent] ? kOpaque : kTranslucent;
-            members.all[i] = of[whose] >= half ? whose : 0;
-            if (of[whose] > 0 && of[whose] < half) {
-                some.push_back(i);
-            }
-        });
-        addThin(counts, some, members);
-        return members;
+        return shares.owned([&](glm::ivec3 v) { return edges.finestIn({v, v + 1}).volume(); });
     }
-    static void addThin(const Values<std::array<std::uint32_t, 3>>& counts,
-                        const std::vector<std::size_t>& some, Members& members) {
-        const glm::ivec3 size = members.box.size();
-        std::vector<std::size_t> thin;
-        for (const std::size_t i : some) {
-            const auto& of = counts.all[i];
-            const Member whose = of[kOpaque] >= of[kTranslucent] ? kOpaque : kTranslucent;
-            const auto row = std::size_t(size.x);
-            const glm::ivec3 v = members.box.lo + glm::ivec3(i % row, i / row % std::size_t(size.y),
-                                                             i / row / std::size_t(size.y));
-            bool isThin = true;
-            forEachVoxel(intersect(grow(Box3{v, v + 1}, 1), members.box),
-                         [&](glm::ivec3 near, std::size_t) { isThin = isThin && members.at(near) != whose; });
-            if (isThin) {
-                thin.push_back(i);
-            }
-        }
-        for (const std::size_t i : thin) {
-            const auto& of = counts.all[i];
-            members.all[i] = of[kOpaque] >= of[kTranslucent] ? kOpaque : kTranslucent;
-        }
-    }
-    // What nobody has and the viewer does not see is not known.
+    // What the viewer does not see is marked so.
     void hideCut(const FinestEdges& edges, Members& members) const {
         const bool isProbe = shown_.view == field::SculptureView::Probe;
         // The finest voxel in the middle of one of the level's, along an axis.
@@ -268,7 +243,7 @@ private:
                 for (int x = members.box.lo.x; x < members.box.hi.x; ++x) {
                     Member& whose = members.at({x, y, z});
                     const bool isCut = cut[std::size_t(middleOf(0, x) - row.lo.x)] >= 0.5F;
-                    whose = whose == 0 && isCut != isProbe ? kHidden : whose;
+                    whose = isCut != isProbe ? Member(whose + kBehind) : whose;
                 }
             }
         }

@@ -6,7 +6,6 @@
 #include "segment/finer/fine_front.h"
 #include "segment/membership/segmentation.h"
 
-#include <cstdint>
 #include <memory>
 
 namespace vs::segment {
@@ -28,8 +27,9 @@ struct FineShown {
 // How much belongs to the segments of a growth as it is now, laid over bricks of any level: what Segmentation
 // is for all of a scene, found brick by brick on the host. A voxel of a coarser level is in a segment where
 // at least half of its finest voxels are, or any of them where no voxel around has so many. One channel for
-// the opaque segments; a second one for the translucent ones where that is wanted. Behind a cut, segments go
-// on as they end at it. `finest` is the growth's level in a scene's voxel space.
+// the opaque segments; a second one for the translucent ones where that is wanted; then one for the label of
+// the segment that has a voxel, if it is shown. Behind a cut, segments go on as they end at it, without a
+// label. `finest` is the growth's level in a scene's voxel space.
 std::shared_ptr<const field::BrickOverlay>
 fineMembership(const FineGrowth& growth, const field::BrickGrid& finest, const FineShown& shown);
 

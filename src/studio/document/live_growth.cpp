@@ -58,6 +58,7 @@ Outcome LiveGrowth::end() {
         contents_.history.settle();
     } else {
         contents_.region.undo(run_.records); // nothing grew: as if it had not begun
+        ++contents_.version;                 // slices showed less meanwhile
     }
     run_ = {};
     contents_.inHand = InHand::Nothing;

@@ -27,7 +27,11 @@ render::Frame Display::frame(const View& from, glm::ivec2 size, double segmentsM
 }
 
 render::SliceFrame Display::slice(const render::SliceView& view, double segmentsMs) {
-    render::SliceFrame frame = pipeline_.slice(stateOf(contents_->view, segmentsMs), view);
+    Pipeline::State state = stateOf(contents_->view, segmentsMs);
+    if (contents_->inHand == InHand::Growth) {
+        state.finest = nullptr; // as drafts are: it is followed at once
+    }
+    render::SliceFrame frame = pipeline_.slice(state, view);
     frame.window = contents_->view.sliceWindow.value_or(contents_->scan.slices);
     return frame;
 }

@@ -138,7 +138,7 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
         laySegments(state);
         scene.hasFinerSegments = detail_->hasOverlay(field::BrickLayer::Segments);
     }
-    if (hasSegmentation && state.growth->hasOthers()) {
+    if (hasSegmentation && usesLabels(state)) {
         state.growth->syncLabels();
         scene.segmentLabels = &state.growth->seedMap().labels();
     }
@@ -150,16 +150,18 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
     return scene;
 }
 
+bool Pipeline::usesLabels(const State& state) { return state.growth->hasOthers() || state.finest != nullptr; }
+
 render::SegmentColours Pipeline::segmentColours(const State& state) {
     if (state.growth == nullptr) {
         return {};
     }
     auto colours = state.segments->colours();
     if (state.finest != nullptr) {
-        // What is too thin in another one to have voxels of the scene.
+        // What is too thin in another one to have voxels of the scene, where its labels are asked.
         colours.entries[0] = colours.entries[state.segments->atWork];
     }
-    if (!state.growth->hasOthers()) {
+    if (!usesLabels(state)) { // pictures have 1 everywhere
         colours.entries[1] = colours.entries[state.growth->activeLabel()];
     }
     return colours;
@@ -168,15 +170,13 @@ render::SegmentColours Pipeline::segmentColours(const State& state) {
 render::SliceFrame Pipeline::slice(const State& state, const render::SliceView& view) {
     follow(*state.view);
     render::SliceFrame frame;
-    State ofScene = state;
-    ofScene.finest = nullptr; // slices show the voxels of the scene
-    frame.scene = scene(ofScene, true);
+    frame.scene = scene(state, true);
     if (frame.scene.segmentation != nullptr && segmentation_->goesOnBehindCuts()) {
         // Slices show what is grown and nothing more, which is what labels say.
         state.growth->syncLabels();
         frame.scene.segmentLabels = &state.growth->seedMap().labels();
     }
-    frame.segmentColours = segmentColours(ofScene);
+    frame.segmentColours = segmentColours(state);
     frame.tintsVisible = state.view->tintsSlices;
     frame.visible = state.view->visibleRange(field_->range);
     if (frame.tintsVisible && state.view->transferFunction) {
@@ -320,14 +320,13 @@ std::vector<std::uint8_t> Pipeline::apartFromOthers(const State& state) {
 
 void Pipeline::addPulledOut(render::Frame& frame, const field::Scene& withSegments, const State& state) {
     refreshSegmentCells(withSegments.hasFinerSegments);
-    const bool hasOthers = state.growth->hasOthers();
     for (const SegmentInfo* segment : pulledOut(state)) {
         if (state.growth->voxelCount(segment->label) == 0) {
             continue;
         }
         render::PulledSegment pulled;
         pulled.place = shownPlace(*state.view, *segment, field_->geometry);
-        pulled.label = hasOthers ? segment->label : 1; // see segmentColours()
+        pulled.label = usesLabels(state) ? segment->label : 1;
         pulled.isTranslucent = segment->opacity < 1;
         pulled.scene = withSegments;
         if (const segment::ApartTiles* apart = segmentation_->apart()) {

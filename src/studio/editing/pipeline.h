@@ -140,7 +140,9 @@ private:
     static segment::Fence fence(const State& state, field::SculptureView view);
     // The segments as pasted parts show them: their cut faces look the other way.
     const segment::Segmentation* segmentsOfParts(const State& state, const render::Frame& frame);
-    // How segments look. When there is but one, labels may lag behind and are not asked.
+    // Else all that has grown is of the segment at work; its labels may lag behind and are not asked.
+    static bool usesLabels(const State& state);
+    // How segments look.
     static render::SegmentColours segmentColours(const State& state);
 
     // The values that the view's surfaces are looked for in; null: the data's own. Made when they are not

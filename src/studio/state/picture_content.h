@@ -21,7 +21,7 @@ struct PictureContent {
         std::uint64_t version = 0; // segment::Segmentation::version(); this and the rest where they are drawn
         segment::Looks looks = segment::allOpaque();
         render::SegmentColours colours;
-        bool haveLabels = false;        // more than one colour
+        bool haveLabels = false;        // those of voxels are asked
         std::uint64_t finerVersion = 0; // of those that finer levels show; 0: none
     };
 

@@ -93,16 +93,70 @@ Looks anyLooks() {
 // Calls visit(voxel, channel, texel) with each voxel of a level.
 template <typename Visit>
 void forEachTexel(const field::BrickOverlay& overlay, const field::BrickGrid& level, const Visit& visit) {
-    const int channels = overlay.format() == gl::Format::RG8 ? 2 : 1;
+    const auto channels = int(gl::bytesPerTexel(overlay.format()));
+    const int kinds = overlay.format() == gl::Format::RGBA8 ? 2 : 1;
     forEachVoxel(Box3{glm::ivec3(0), level.counts()}, [&](glm::ivec3 brick, std::size_t) {
         const auto texels = overlay.texelsOf(level, brick);
         const glm::ivec3 lo = brick * level.side;
         forEachVoxel(Box3{lo, lo + level.texels()}, [&](glm::ivec3 v, std::size_t i) {
             for (int channel = 0; channel < 2; ++channel) {
-                const bool isThere = !texels.empty() && channel < channels;
+                const bool isThere = !texels.empty() && channel < kinds;
                 visit(glm::min(v, level.dims - 1), channel,
                       isThere ? int(texels[i * std::size_t(channels) + std::size_t(channel)]) : 0);
             }
+        });
+    });
+}
+
+// Calls visit(voxel, label) with each voxel of a level.
+template <typename Visit>
+void forEachLabel(const field::BrickOverlay& overlay, const field::BrickGrid& level, const Visit& visit) {
+    const std::size_t channels = gl::bytesPerTexel(overlay.format());
+    const std::size_t kinds = overlay.format() == gl::Format::RGBA8 ? 2 : 1;
+    forEachVoxel(Box3{glm::ivec3(0), level.counts()}, [&](glm::ivec3 brick, std::size_t) {
+        const auto texels = overlay.texelsOf(level, brick);
+        const glm::ivec3 lo = brick * level.side;
+        forEachVoxel(Box3{lo, lo + level.texels()}, [&](glm::ivec3 v, std::size_t i) {
+            visit(glm::min(v, level.dims - 1),
+                  texels.empty() ? std::uint8_t(0) : std::uint8_t(texels[i * channels + kinds]));
+        });
+    });
+}
+
+TEST_F(FineMembershipTest, LabelsAreThoseOfTheVoxelsThatAreShown) {
+    test::checkProperty(8, [] {
+        Grown grown;
+        for (int edits = 1 + *below(8); edits > 0; --edits) {
+            grown.editAnything();
+        }
+        const auto labels = grown.finest.labelMap(grown.volume.geometry.box());
+        FineShown shown;
+        shown.looks = anyLooks();
+        shown.hasTranslucent = *test::coin();
+        const glm::ivec3 by = *test::coin() ? glm::ivec3(1) : glm::ivec3(4, 3, 2);
+        const auto coarse = volume::reduced(grown.volume, by, volume::Reducing::Mean);
+        const auto& scene = coarse.geometry;
+        const auto overlay = fineMembership(grown.finest, gridOf(grown.volume.geometry, scene), shown);
+        // How many voxels of each segment that is shown lie in each of the level.
+        std::vector<std::array<int, 4>> counts(scene.box().volume());
+        const auto indexOf = [&](glm::ivec3 v) {
+            return (std::size_t(v.z) * std::size_t(scene.dims.y) + std::size_t(v.y)) *
+                       std::size_t(scene.dims.x) +
+                   std::size_t(v.x);
+        };
+        forEachVoxel(grown.volume.geometry.box(), [&](glm::ivec3 v, std::size_t i) {
+            const bool isShown = labels[i] != 0 && shown.looks[labels[i]] != Look::Hidden;
+            ++counts[indexOf(glm::min(v / by, scene.dims - 1))][isShown ? labels[i] : 0];
+        });
+        forEachLabel(*overlay, gridOf(scene, scene), [&](glm::ivec3 v, std::uint8_t label) {
+            const auto& of = counts[indexOf(v)];
+            const int all = of[0] + of[1] + of[2] + of[3];
+            RC_ASSERT(label <= 3);
+            RC_ASSERT(label == 0 || of[label] > 0);
+            for (std::uint8_t one = 1; one <= 3; ++one) {
+                RC_ASSERT(2 * of[one] <= all || label == one);
+            }
+            RC_ASSERT(by != glm::ivec3(1) || label == 0 || of[label] == 1);
         });
     });
 }

@@ -8,14 +8,15 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace vs::studio {
 
-// The head, worked on at a half of its resolution.
+// The head, or another scan, worked on at a half of its resolution.
 struct InBricks {
-    explicit InBricks(int side = 16, int bricks = 400)
-        : fine(testHead()), source(std::make_shared<test::TwoLevels>(fine)) {
+    explicit InBricks(int side = 16, int bricks = 400, volume::Volume scan = testHead())
+        : fine(std::move(scan)), source(std::make_shared<test::TwoLevels>(fine)) {
         volume::Volume coarse = source->coarse();
         coarse.range = fine.range; // as a store says it of all its levels
         coarse.usual = fine.usual;
@@ -25,7 +26,7 @@ struct InBricks {
         levels.source = source;
         levels.options.side = side;
         levels.options.deviceBytes =
-            std::size_t(bricks) * std::size_t(side + 1) * std::size_t(side + 1) * std::size_t(side + 1) * 3;
+            std::size_t(bricks) * std::size_t(side + 1) * std::size_t(side + 1) * std::size_t(side + 1) * 4;
         document->showFinerLevels(levels);
     }
 

@@ -58,7 +58,7 @@ public:
 private:
     struct Share {
         std::array<std::uint32_t, 3> counts{}; // by Member
-        std::array<std::uint32_t, 3> leads{};  // likewise: of the label below (Boyer and Moore's vote)
+        std::array<std::uint32_t, 3> leads{}; // how far the label below is ahead, by Member (Boyer and Moore)
         std::array<std::uint8_t, 3> labels{};
 
         [[nodiscard]] Member most() const {

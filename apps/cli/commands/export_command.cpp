@@ -168,6 +168,12 @@ void understand(ExportOptions& options) {
 void runExport(ExportOptions options) {
     understand(options);
     const bool isVolume = options.settings.what == What::Volume;
+    if (options.level && !isVolume) {
+        throw UsageError(
+            "--level {}: it is the value of a volume's surface, with --what volume; the level of a store "
+            "is --store-level",
+            *options.level);
+    }
     Input input = isSession(options) ? readSession(options)
                   : isVolume         ? readVolume(options)
                                      : readLabels(options);

@@ -55,17 +55,17 @@ SessionScan loadSessionScan(studio::Session& session, const std::string& session
     const auto replacement =
         instead.path.empty() ? std::nullopt : std::optional<std::filesystem::path>(instead.path);
     VolumeArgument wanted = instead;
+    const bool isDense = storage.kind() == studio::Storage::Dense;
     if (!wanted.level && !session.level && !session.isMade()) {
         volume::ReadOptions options = readOptions(instead);
         options.channel = options.channel ? options.channel : session.channel;
         options.frame = options.frame ? options.frame : session.frame;
         wanted.level = studio::levelInReach(studio::volumePathOf(session, sessionPath, replacement), options,
-                                            storage.budgets());
+                                            isDense ? studio::MemoryBudgets() : storage.budgets());
     }
     scan.volume = loadSessionVolume(session, sessionPath, wanted, scan.notices, &scan.used);
     const std::size_t told = scan.notices.size();
-    const bool growsFinest = storage.kind() != studio::Storage::Dense;
-    studio::goToLevel(session, sessionPath, replacement, scan.used, growsFinest, scan.notices);
+    studio::goToLevel(session, sessionPath, replacement, scan.used, !isDense, scan.notices);
     for (std::size_t n = told; n < scan.notices.size(); ++n) {
         logNotice(scan.notices[n]);
     }

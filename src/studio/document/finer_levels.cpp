@@ -145,7 +145,8 @@ std::optional<int> levelInReach(const std::filesystem::path& path, const volume:
     }
     try {
         const volume::StoreBricks store(path, options);
-        const bool isInReach = fitsATexture(store.levels().front()) &&
+        const bool areChosen = budgets.deviceBytes > 0 || budgets.hostBytes > 0;
+        const bool isInReach = !areChosen && fitsATexture(store.levels().front()) &&
                                workBytes(store.levels().front(), store.type()) <= machineMemory();
         const int level = isInReach ? 0 : levelToWorkOn(store, budgets.filledIn());
         return level > 0 ? std::optional(level) : std::nullopt;

@@ -56,7 +56,8 @@ std::optional<int> levelToWorkOn(const std::filesystem::path& path, const volume
                                  Storage storage, const MemoryBudgets& budgets);
 
 // The level that is worked on where all of the finest was meant and nobody said so: that, unless this
-// machine's memory has no room to work on it; then as levelToWorkOn(). Throws ReadError.
+// machine's memory has no room to work on it, or somebody said how much may be taken; then as
+// levelToWorkOn(). Throws ReadError.
 std::optional<int> levelInReach(const std::filesystem::path& path, const volume::ReadOptions& options,
                                 const MemoryBudgets& budgets);
 

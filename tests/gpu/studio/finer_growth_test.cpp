@@ -7,6 +7,7 @@
 #include "studio/document/live_growth.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace vs::studio {
@@ -398,7 +399,7 @@ TEST_F(FinerGrowthTest, ThinSegmentsInOthersHaveTheirOwnColour) {
     const auto scan = [] {
         return phantom::makePhantom({64, 64, 64}, volume::ScalarType::UInt8, [](glm::dvec3 p) {
             const bool isBody = p.x >= 12 && p.x <= 52 && p.y >= 12 && p.y <= 52 && p.z <= 40;
-            const bool isStripe = p.z >= 39.5 && int(p.x + 0.5) % 4 == 0;
+            const bool isStripe = p.z >= 39.5 && std::lround(p.x) % 4 == 0;
             return isBody && isStripe ? 200 : isBody ? 100 : 10;
         });
     };

@@ -280,6 +280,23 @@ class Stores(ScanCase):
         grown = zarr.open_group(str(self.folder / "out" / "l.zarr"), "r")["0"][:]
         self.assertTrue(numpy.array_equal(grown == 1, values[1] == 200))
 
+    def test_a_session_without_a_level_keeps_to_the_memory_it_is_given(self):
+        values = numpy.zeros((160, 160, 160), "u1")
+        values[20:140, 30:90, 40:120] = 200
+        path = self.make("room.zarr", values, image([(1, 1, 1), (2, 2, 2)]), (32, 32, 32))
+        session = self.folder / "room.json"
+        session.write_text(json.dumps({"volumeStudioSession": 1, "volume": {"path": str(path)}, "operations": [
+            {"op": "seed", "range": [150, 255], "voxels": [[60, 50, 80]]}, {"op": "grow"}, {"op": "labels", "file": "l.zarr"}]}))
+        for options, level in (((), 0), (("--device-memory", "32MiB"), 1), (("--device-memory", "1GiB"), 0),
+                               (("--device-memory", "32MiB", "--storage", "dense"), 0)):
+            with self.subTest(options):
+                out = self.folder / f"out-{'-'.join(options)}"
+                done = self.succeed("run", session, "-o", out, *options)
+                self.assertEqual(json.loads((out / "report.json").read_text())["level"], level)
+                self.assertEqual("made on level 0 and is replayed on level 1" in done.stderr, level == 1)
+                grown = zarr.open_group(str(out / "l.zarr"), "r")["0"][:]
+                self.assertTrue(numpy.array_equal(grown == 1, values == 200))
+
     def test_levels_have_the_same_channels(self):
         path = self.make("c.zarr", noise((3, 6, 8, 8), "u1"), image([(1, 1, 1, 1), (1, 2, 2, 2)], "czyx"), (1, 4, 4, 4))
         self.succeed("info", path, "--channel", 2, "--level", 1)

@@ -5,7 +5,9 @@
 #include "volume/grid/geometry.h"
 
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <vector>
 
 namespace vs::mesh {
 
@@ -14,5 +16,14 @@ namespace vs::mesh {
 // (segment/edits/label_sets.h). Empty when the label does not occur.
 Mesh segmentSurface(std::span<const std::uint8_t> labels, const volume::GridGeometry& geometry,
                     std::uint8_t label, const Box3& box);
+
+// The labels of a grid that are not in memory as a whole.
+struct LabelsByBox {
+    std::function<std::vector<std::uint8_t>(const Box3&)> labels; // of a box of the grid, x fastest
+    std::function<bool(const Box3&)> isEmpty;                     // whether one is known to have none
+};
+// The same surface of such labels, to the point, made piece by piece. Throws GivenUp when `progress` says so.
+Mesh segmentSurface(const LabelsByBox& labels, const volume::GridGeometry& geometry, std::uint8_t label,
+                    const Progress& progress = {});
 
 } // namespace vs::mesh

@@ -75,6 +75,29 @@ class Stacks(ScanCase):
             self.assertTrue((read == values[0, :, 1]).all(), axes)
             numpy.testing.assert_allclose(scale, [0.002, 0.00025, 0.0005])
 
+    def test_pixels_in_a_centimetre(self):
+        """Of inches nobody knows whether they are the specimen's or a printer's."""
+        values = noise((5, 20, 30), "u2")
+        path = self.folder / "a.tif"
+        tifffile.imwrite(path, values, metadata=None, resolution=(200, 250), resolutionunit="CENTIMETER")
+        done = self.succeed("info", path)
+        self.assertIn("how far apart its slices are is not said; 0.05 mm is taken", done.stderr)
+        _, scale = self.values_of(path)
+        numpy.testing.assert_allclose(scale, [0.05, 0.04, 0.05])
+        tifffile.imwrite(path, values, metadata=None, resolution=(300, 300), resolutionunit="INCH")
+        self.assertIn("1 x 1 x 1 mm is taken", self.succeed("info", path).stderr)
+
+    def test_spacing_that_a_person_gives(self):
+        values = noise((5, 20, 30), "u2")
+        path = self.folder / "a.tif"
+        tifffile.imwrite(path, values, metadata=None)
+        read, scale = self.values_of(path, "--spacing", "0.5,0.25,2")
+        self.assertTrue((read == values).all())
+        numpy.testing.assert_allclose(scale, [2, 0.25, 0.5])
+        for bad, why in (("0.5,0.5", "0.5,0.5,1.25"), ("1,0,1", "0 mm is not the size of a voxel"), ("1,1,nan", "nan")):
+            self.refuse(why, "convert", path, self.folder / "bad.zarr", "--spacing", bad, status=2)
+            self.assertFalse((self.folder / "bad.zarr").exists())
+
     def test_a_stack_of_which_imagej_describes_only_the_first_picture(self):
         """As it writes those of 4 GB and more."""
         values = noise((30, 20, 24), ">u2")
@@ -168,7 +191,7 @@ class Stacks(ScanCase):
         marker.write_text(f"{first}\n0 0 ;\n")
         for z in range(24):
             tifffile.imwrite(stack / f"{z}.tif", numpy.zeros((80, 90), "u1"), metadata=None)
-        self.refuse("something else was begun there", "convert", stack, store, "--chunk", 8)
+        self.refuse("with other settings, was begun there", "convert", stack, store, "--chunk", 8)
 
     def test_a_raw_file_is_gone_through_too(self):
         values = noise((70, 40, 50), "<i2")

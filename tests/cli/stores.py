@@ -169,15 +169,37 @@ class Stores(ScanCase):
         running.wait()
         if unfinished.exists():
             self.refuse("is not finished; write it again", "info", store)
-            self.refuse("something else was begun there", "convert", scan, store, "--chunk", 32)
+            self.refuse("with other settings, was begun there", "convert", scan, store, "--chunk", 32)
             first = (store / "0/0/5/5").stat().st_mtime_ns
             self.succeed("convert", scan, store, "--chunk", 16)
             self.assertEqual((store / "0/0/5/5").stat().st_mtime_ns, first, "what is done is not done again")
         a, b = zarr.open_group(str(store), "r"), zarr.open_group(str(whole), "r")
         for level in b:
             self.assertTrue((a[level][:] == b[level][:]).all())
-        self.refuse("there is something already", "convert", scan, store)
+        self.refuse("there is a store that is finished already", "convert", scan, store)
         self.refuse("ends in .zarr", "convert", scan, self.folder / "a.tif")
+
+    def test_ctrl_c_says_how_to_go_on(self):
+        """On a terminal it also shows how far it is, and about how long the rest takes."""
+        store = self.folder / "a.zarr"
+        master, terminal = os.openpty()
+        running = subprocess.Popen([self.vstudio, "phantom", "head", "--size", "640", "-o", store], stdout=subprocess.DEVNULL, stderr=terminal)
+        os.close(terminal)
+        shown = b""
+        isInterrupted = False
+        try:
+            while chunk := os.read(master, 4096):
+                shown += chunk
+                if b" left" in shown and not isInterrupted:
+                    running.send_signal(signal.SIGINT)
+                    isInterrupted = True
+        except OSError:  # as Linux ends what a terminal shows
+            pass
+        os.close(master)
+        self.assertEqual(running.wait(), 1)
+        self.assertRegex(shown.decode(), r"writing .*a\.zarr \d+ %, about \d+ (s|min|h) left")
+        self.assertIn("a.zarr: stopped before it was finished; the same command goes on with it", shown.decode())
+        self.assertTrue((store / ".volume-studio-unfinished").exists())
 
     def test_bad_stores(self):
         values = noise((20, 24, 28), "<i2")

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // vstudio convert: a volume as a store of OME-Zarr, with levels that become coarser.
+#include "arguments/parse.h"
 #include "arguments/volume_argument.h"
 #include "commands/commands.h"
-#include "reports/progress.h"
+#include "reports/told_store.h"
 
 #include "base/error.h"
 #include "base/log.h"
+#include "studio/document/finer_levels.h"
 #include "volume/reading/stack_source.h"
 #include "volume/store/write_store.h"
 
@@ -22,7 +24,8 @@ struct ConvertOptions {
     std::shared_ptr<VolumeArgument> volume;
     std::string output;
     int chunk = volume::StoreLayout().chunk;
-    int memoryMiB = 2048;
+    std::string memory = "2GiB";
+    std::string spacing; // in mm, where the file does not say it, or says it wrong
     bool isLabels = false;
 };
 
@@ -32,10 +35,26 @@ struct ToConvert {
     volume::StoreSource source;
 };
 
+// Voxels of the size that the person gives, in the directions that the file says.
+void resize(volume::StoreSource& source, const std::string& spacing) {
+    const auto mm = parseNumbers(spacing, ',', 3, "spacing", "0.5,0.5,1.25, in mm along x, y and z");
+    auto& grid = source.facts.geometry;
+    const glm::dvec3 before = grid.spacing();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double length = mm[std::size_t(axis)];
+        if (!(length >= 1e-6 && length <= 1e6)) {
+            throw UsageError("spacing {}: {} mm is not the size of a voxel; give three of 1e-6 to 1e6",
+                             spacing, length);
+        }
+        grid.worldFromVoxel[axis] *= length / before[axis];
+    }
+    source.identity += ", spacing " + spacing;
+}
+
 ToConvert toConvert(const ConvertOptions& options) {
     ToConvert input;
     std::vector<std::string> notices;
-    const auto bytes = std::uint64_t(options.memoryMiB) << 20;
+    const std::uint64_t bytes = studio::memoryOf(options.memory, "--memory");
     const auto stack = volume::stackSource(options.volume->path, readOptions(*options.volume), options.chunk,
                                            bytes, notices);
     for (const auto& notice : notices) {
@@ -60,13 +79,13 @@ void run(const ConvertOptions& options) {
     if (!input.source.read) {
         input.source = volume::sourceOf(input.volume);
     }
+    if (!options.spacing.empty()) {
+        resize(input.source, options.spacing);
+    }
     volume::StoreLayout layout;
     layout.chunk = options.chunk;
     layout.reducing = options.isLabels ? volume::Reducing::Commonest : volume::Reducing::Mean;
-    {
-        const Activity activity("writing " + options.output);
-        volume::writeStore(output, input.source, layout);
-    }
+    writeToldStore(output.string(), input.source, layout);
     const auto& geometry = input.source.facts.geometry;
     const auto levels = volume::levelsOf(geometry, layout.chunk);
     fmt::print("{}: {} x {} x {} voxels, {}, in chunks of {}, {} {}\n", options.output, geometry.dims.x,
@@ -89,11 +108,13 @@ void addConvertCommand(CLI::App& app) {
         ->check(CLI::Range(8, 512))
         ->capture_default_str();
     command
-        ->add_option(
-            "--memory", options->memoryMiB,
-            "MiB that slices may take while they wait, where a volume is read slice by slice (TIFF, --raw)")
-        ->check(CLI::Range(1, 1 << 24))
+        ->add_option("--memory", options->memory,
+                     "What slices may take while they wait, where a volume is read slice by slice (TIFF, "
+                     "--raw), for example 512MiB or 4GiB")
         ->capture_default_str();
+    command->add_option("--spacing", options->spacing,
+                        "X,Y,Z: how large voxels are, in mm, where the file does not say it or says it "
+                        "wrong");
     command->add_flag("--labels", options->isLabels,
                       "It is a label map: coarser voxels get the label that most of theirs have");
     command->callback([options] { run(*options); });

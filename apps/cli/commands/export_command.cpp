@@ -5,10 +5,11 @@
 #include "arguments/volume_argument.h"
 #include "commands/commands.h"
 #include "reports/label_map.h"
-#include "reports/progress.h"
+#include "reports/long_work.h"
 #include "sessions/replay.h"
 
 #include "base/error.h"
+#include "base/progress.h"
 #include "gl/context.h"
 #include "studio/exports/exports.h"
 #include "studio/json/session.h"
@@ -183,8 +184,14 @@ void runExport(ExportOptions options) {
     if (options.level) {
         options.settings.range = {*options.level, std::numeric_limits<double>::infinity()};
     }
-    const Activity activity("writing " + options.output);
-    for (const auto& line : studio::writeExport(options.output, input.source, options.settings)) {
+    const auto lines = [&] {
+        const LongWork work("writing " + options.output);
+        return studio::writeExport(options.output, input.source, options.settings, [](double share) {
+            reportProgress(share);
+            return true;
+        });
+    }();
+    for (const auto& line : lines) {
         fmt::print("{}\n", line);
     }
 }

@@ -3,12 +3,11 @@
 #include "arguments/storage_argument.h"
 #include "arguments/volume_argument.h"
 #include "commands/commands.h"
-#include "reports/progress.h"
+#include "reports/long_work.h"
 #include "sessions/replay.h"
 
 #include "base/error.h"
 #include "base/json_file.h"
-#include "base/progress.h"
 #include "base/timer.h"
 #include "gl/context.h"
 #include "studio/document/document.h"
@@ -20,7 +19,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -48,10 +46,6 @@ struct FilmOptions {
 };
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t kSteps = 1000; // of the progress bar
-
-volatile std::sig_atomic_t isInterrupted = 0; // the film is given up: nothing is left behind
 
 // "growth:6:turntable:360" as it stands in sessions; what is left out is as there.
 Json shotOf(const std::string& text) {
@@ -157,16 +151,8 @@ void makeFilm(const FilmOptions& options) {
     const auto context = gl::Context::createHeadless();
     const auto document = openInput(options, context);
     look(options, *document);
-    std::signal(SIGINT, [](int) { isInterrupted = 1; });
     {
-        Progress progress("filming", kSteps);
-        std::size_t shown = 0;
-        const ProgressListener listener([&](std::optional<double> share) {
-            const auto now = std::size_t(share.value_or(0) * kSteps);
-            progress.advance(now > shown ? now - shown : 0);
-            shown = std::max(shown, now);
-            return isInterrupted == 0;
-        });
+        const LongWork work("filming");
         document->apply(film, fileOf(options).parent_path());
     }
     context.requireNoErrors();

@@ -2,7 +2,7 @@
 // vstudio phantom: volumes made from nothing, with labels that are known to be true.
 #include "arguments/parse.h"
 #include "commands/commands.h"
-#include "reports/progress.h"
+#include "reports/told_store.h"
 
 #include "base/error.h"
 #include "base/names.h"
@@ -94,8 +94,7 @@ void writeStore(const std::string& path, const phantom::Scanner& scanner, const 
     };
     volume::StoreLayout layout;
     layout.reducing = isOfLabels ? volume::Reducing::Commonest : volume::Reducing::Mean;
-    const Activity activity("writing " + path);
-    volume::writeStore(path, source, layout);
+    writeToldStore(path, source, layout);
 }
 
 void runToStore(const PhantomOptions& options) {

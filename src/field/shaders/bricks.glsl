@@ -83,28 +83,25 @@ bool findInPool(vec3 q, out vec3 slot, out vec3 inBrick) {
     return page >= 2u;
 }
 
-// What lies there. FETCHED: the same to the last bit, whichever slot the brick lies in, for what decides what
-// is cut: a texture unit's weights are rounded with the place in the texture.
-#ifdef FETCHED
-float inPool(sampler3D pool, vec3 slot, vec3 inBrick) {
+// What lies there. FETCHED: the same to the last bit, whichever slot the brick lies in.
+float fetchedInPool(sampler3D pool, vec3 slot, vec3 inBrick) {
     ivec3 cell = ivec3(inBrick);
-    vec3 f = inBrick - vec3(cell);
     ivec3 first = ivec3(slot) + cell;
-    vec4 low =
-        vec4(texelFetch(pool, first, 0).r, texelFetch(pool, first + ivec3(1, 0, 0), 0).r,
-             texelFetch(pool, first + ivec3(0, 1, 0), 0).r, texelFetch(pool, first + ivec3(1, 1, 0), 0).r);
-    vec4 high =
-        vec4(texelFetch(pool, first + ivec3(0, 0, 1), 0).r, texelFetch(pool, first + ivec3(1, 0, 1), 0).r,
-             texelFetch(pool, first + ivec3(0, 1, 1), 0).r, texelFetch(pool, first + ivec3(1, 1, 1), 0).r);
-    vec4 planes = mix(low, high, f.z);
-    vec2 rows = mix(planes.xy, planes.zw, f.y);
-    return mix(rows.x, rows.y, f.x);
+    return fetchedBetween(pool, first, first + 1, inBrick - vec3(cell));
 }
+#ifdef FETCHED
+float inPool(sampler3D pool, vec3 slot, vec3 inBrick) { return fetchedInPool(pool, slot, inBrick); }
 #else
 float inPool(sampler3D pool, vec3 slot, vec3 inBrick) {
     return textureLod(pool, (slot + inBrick + 0.5) * poolScale.xyz, 0.0).r;
 }
 #endif
+
+// What stands in for the value at a place whose brick is not there.
+float sceneValueAt(vec3 q) {
+    vec3 p = (q - levelOrigin.xyz) / levelScale.xyz;
+    return textureLod(dataTexture, textureFromVoxel(p), 0.0).r * dataScale().x + dataScale().y;
+}
 
 // The value at a place in the level's voxel space.
 float levelValueAt(vec3 q) {
@@ -113,8 +110,18 @@ float levelValueAt(vec3 q) {
     bool isAway = !findInPool(q, slot, inBrick);
     float value = inPool(brickPool, slot, inBrick) * brickValue.x + brickValue.y;
     while (isAway) {
-        vec3 p = (q - levelOrigin.xyz) / levelScale.xyz;
-        value = textureLod(dataTexture, textureFromVoxel(p), 0.0).r * dataScale().x + dataScale().y;
+        value = sceneValueAt(q);
+        isAway = false;
+    }
+    return value;
+}
+float fetchedLevelValueAt(vec3 q) {
+    vec3 slot;
+    vec3 inBrick;
+    bool isAway = !findInPool(q, slot, inBrick);
+    float value = fetchedInPool(brickPool, slot, inBrick) * brickValue.x + brickValue.y;
+    while (isAway) {
+        value = sceneValueAt(q);
         isAway = false;
     }
     return value;

@@ -63,6 +63,8 @@ struct LabelCell {
     bool isInPool; // `first` is a texel of bricks, not a voxel of the scene
 };
 
+#include "field/shaders/fetched.glsl"
+
 // Values are sampled in a voxel space of their own, of the scene's grid or of a finer level's.
 #ifdef BRICKS
 #include "field/shaders/bricks.glsl"
@@ -88,6 +90,7 @@ float segmentStep() { return 1.0; }
 #include "field/shaders/quads.glsl"
 #if defined(BRICKS)
 float storedAt(vec3 q) { return levelValueAt(q); }
+float fetchedAt(vec3 q) { return fetchedLevelValueAt(q); }
 vec2 storedScale() { return vec2(1.0, 0.0); }
 #else
 vec2 storedScale() { return dataScale(); }
@@ -99,14 +102,23 @@ layout(binding = kSmoothedQuadsTexture) uniform samplerBuffer quads;
 layout(binding = kQuadsTexture) uniform samplerBuffer quads;
 #endif
 float storedAt(vec3 q) { return ofQuads(quads, q); }
+float fetchedAt(vec3 q) { return ofQuads(quads, q); }
 #elif !defined(BRICKS)
 float storedAt(vec3 q) { return textureLod(dataTexture, textureFromVoxel(q), 0.0).r; }
+float fetchedAt(vec3 q) {
+    ivec3 last = dims.xyz - 1;
+    vec3 inside = clamp(q, vec3(0.0), vec3(last));
+    ivec3 first = ivec3(inside);
+    return fetchedBetween(dataTexture, first, min(first + 1, last), inside - vec3(first));
+}
 #endif
 
 #ifdef TRICUBIC
 #include "field/shaders/tricubic.glsl"
 #else
 float dataAt(vec3 p) { return storedAt(sampledFromVoxel(p)) * storedScale().x + storedScale().y; }
+// The same value wherever in a texture it is kept, for where it is close to one that decides something.
+float exactDataAt(vec3 p) { return fetchedAt(sampledFromVoxel(p)) * storedScale().x + storedScale().y; }
 #endif
 
 #ifdef SMOOTHED

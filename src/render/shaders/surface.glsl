@@ -10,9 +10,16 @@
 #define MEETS_SEGMENTS
 #endif
 
+// Data that decides alone or beside segments is looked at again where it is close to the displayed range's
+// ends (testBatch()).
+#if (CONTENT == 0 || CONTENT == 2) && !defined(TRICUBIC)
+#define LOOKS_AGAIN
+#endif
+
+float rangeWidth() { return range.y > range.x ? range.y - range.x : 1.0; }
 // How far a value is inside the displayed range, as a part of its width: of the same size as what the
 // sculpture and the segmentation say, or the least of them would bend what is straight.
-float partInside(float value) { return insideRange(value) / (range.y > range.x ? range.y - range.x : 1.0); }
+float partInside(float value) { return insideRange(value) / rangeWidth(); }
 
 #if CONTENT == 3
 // >= 0 where the transfer function makes the data opaque enough.
@@ -26,15 +33,18 @@ float opaqueAt(vec3 p) {
 #endif
 
 // >= 0 where the data is to be seen beside segments.
-float dataShownAt(vec3 p) {
 #if CONTENT == 3
-    return min(opaqueAt(p), clearOfSegments(membershipsAt(p)));
-#elif defined(TRANSLUCENT)
-    return min(partInside(dataAt(p)), clearOfGlass(membershipsAt(p)));
+float dataShownAt(vec3 p) { return min(opaqueAt(p), clearOfSegments(membershipsAt(p))); }
 #else
-    return partInside(dataAt(p));
+float dataShownAs(vec3 p, float value) {
+#ifdef TRANSLUCENT
+    return min(partInside(value), clearOfGlass(membershipsAt(p)));
+#else
+    return partInside(value);
 #endif
 }
+float dataShownAt(vec3 p) { return dataShownAs(p, dataAt(p)); }
+#endif
 
 // >= 0 where there is content to see; continuous along each of its parts, so it can be bisected.
 float contentAt(vec3 p) {
@@ -48,6 +58,20 @@ float contentAt(vec3 p) {
     return max(dataShownAt(p), segmentationAt(p) - 0.5);
 #endif
 }
+
+// How much less than zero may be found where it is zero, by how places in textures are rounded.
+#ifdef LOOKS_AGAIN
+float slack() { return 8.0 * valueScale.w / rangeWidth(); }
+float exactContentAt(vec3 p) {
+#if CONTENT == 0
+    return partInside(exactDataAt(p));
+#else
+    return max(dataShownAs(p, exactDataAt(p)), segmentationAt(p) - 0.5);
+#endif
+}
+#else
+float slack() { return 0.0; }
+#endif
 
 // >= 0 on the visible side of the sculpture.
 float sideAt(vec3 p) {
@@ -118,7 +142,7 @@ void testBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
         bool isOpen = first == float(kBatch) && sliver < 0.0;
         sliverSample = isOpen ? float(i) - 1.0 + between : sliverSample;
         sliver = isOpen ? between : sliver;
-        bool isFirst = first == float(kBatch) && min(here.x, here.y) >= 0.0;
+        bool isFirst = first == float(kBatch) && min(here.x, here.y) >= -slack();
         first = isFirst ? float(i) : first;
         crossing.value = isFirst ? min(here.x, here.y) : crossing.value;
         before = here;
@@ -128,15 +152,30 @@ void testBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
     bool isInSliver = sliver >= 0.0 && inSliver >= 0.0;
     first = isInSliver ? sliverSample : first;
     crossing.value = isInSliver ? inSliver : crossing.value;
+    bool isSample = !isInSliver;
 #else
+    bool isSample = true;
     for (int i = kBatch - 1; i >= 0; --i) {
         vec3 p = at(ray, crossing.t + float(i) * kDt);
         float value = min(contentAt(p), sideAt(p));
-        first = value >= 0.0 ? float(i) : first;
-        crossing.value = value >= 0.0 ? value : crossing.value;
+        first = value >= -slack() ? float(i) : first;
+        crossing.value = value >= -slack() ? value : crossing.value;
     }
 #endif
     crossing.t += first * kDt;
+#ifdef LOOKS_AGAIN
+    // Whether a ray that grazes a surface meets it must not hang on where in a texture the values are kept.
+    bool isClose = isSample && abs(crossing.value) <= slack();
+    while (isClose) {
+        vec3 p = at(ray, crossing.t);
+        vec2 here = vec2(exactContentAt(p), sideAt(p));
+        crossing.value = min(here.x, here.y);
+        bool isPassed = crossing.value < 0.0;
+        last = isPassed ? here : last;
+        crossing.t += isPassed ? kDt : 0.0;
+        isClose = false;
+    }
+#endif
 }
 
 // Looks at every sample that may be visible; shading comes after it. Loops end with their condition: a
@@ -265,14 +304,16 @@ vec3 facing(vec3 gradient, vec3 towardsViewer) {
 
 // A unit normal from a vector that points out of what has been met. Gradients are taken over two voxels and
 // may disagree with what the ray met: by little where it grazes the surface, which is then seen edge on, or
-// wholly at a wall so thin that its far side outweighs the near one, which is parallel to it.
+// wholly at a wall so thin that its far side outweighs the near one, which is parallel to it. From the one to
+// the other without a jump, or rounding would decide it.
 vec3 outwards(vec3 outward, vec3 towardsViewer) {
-    const float grazing = 0.4; // cosine
+    const float grazing = 0.2; // cosines: edge on up to here,
+    const float behind = 0.6;  // and turned over from here on
     float l = length(outward);
     vec3 n = l > 1e-12 ? outward / l : towardsViewer;
     float c = dot(n, towardsViewer);
     vec3 edgeOn = (n - c * towardsViewer) * inversesqrt(max(1.0 - c * c, 1e-6));
-    return c >= 0.0 ? n : c > -grazing ? edgeOn : -n;
+    return c >= 0.0 ? n : normalize(mix(edgeOn, -n, smoothstep(grazing, behind, -c)));
 }
 
 #if defined(CUT_ALONG_SEGMENTS) && defined(MEETS_SEGMENTS)

@@ -37,13 +37,7 @@ FineCells::FineCells(const OpenCells& open) {
         return;
     }
     base_ = first - 1;
-    if (last - base_ <= std::numeric_limits<std::uint8_t>::max()) {
-        entries_ = entriesOf<std::uint8_t>(open);
-    } else if (last - base_ <= std::numeric_limits<std::uint16_t>::max()) {
-        entries_ = entriesOf<std::uint16_t>(open);
-    } else {
-        entries_ = entriesOf<std::uint32_t>(open);
-    }
+    setEntries(open, last);
     if (spans_.size() == 1) {
         labels_ = {spans_.begin()->first};
         return;
@@ -55,6 +49,50 @@ FineCells::FineCells(const OpenCells& open) {
             labels_.insert(labels_.end(), own, own + std::ptrdiff_t(kTileVoxels));
         }
     }
+}
+
+FineCells::FineCells(std::span<const Tile> tiles, std::uint8_t label) {
+    std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t last = 0;
+    for (const Tile& tile : tiles) {
+        slices::forEach(tile.voxels, [&](std::uint32_t place) {
+            first = std::min(first, tile.generations[place]);
+            last = std::max(last, tile.generations[place]);
+        });
+        if (tile.voxels.any() != 0) {
+            slots_.add(tile.tile);
+        }
+    }
+    if (last == 0) {
+        return;
+    }
+    spans_.emplace(label, GenerationSpan{first, last});
+    labels_ = {label};
+    base_ = first - 1;
+    setEntries(tiles, last);
+}
+
+// In as few bytes as generations up to the last one need.
+template <typename From>
+void FineCells::setEntries(const From& from, std::uint32_t last) {
+    if (last - base_ <= std::numeric_limits<std::uint8_t>::max()) {
+        entries_ = entriesOf<std::uint8_t>(from);
+    } else if (last - base_ <= std::numeric_limits<std::uint16_t>::max()) {
+        entries_ = entriesOf<std::uint16_t>(from);
+    } else {
+        entries_ = entriesOf<std::uint32_t>(from);
+    }
+}
+
+template <typename Entry>
+std::vector<Entry> FineCells::entriesOf(std::span<const Tile> tiles) const {
+    std::vector<Entry> entries(slots_.count() * kTileVoxels);
+    for (const Tile& tile : tiles) {
+        Entry* own = entries.data() + slots_.placeOf(tile.tile * kTileVoxels);
+        slices::forEach(tile.voxels,
+                        [&](std::uint32_t place) { own[place] = Entry(tile.generations[place] - base_); });
+    }
+    return entries;
 }
 
 template <typename Entry>

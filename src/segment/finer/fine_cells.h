@@ -3,12 +3,14 @@
 
 #include "field/field.h"
 #include "segment/growth/brick_table.h"
+#include "segment/growth/slices.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <unordered_map>
 #include <variant>
 #include <vector>
@@ -95,6 +97,13 @@ private:
 class FineCells {
 public:
     explicit FineCells(const OpenCells& open);
+    // What one segment has of a brick in which nothing else has grown, by tiles, the first one first.
+    struct Tile {
+        std::size_t tile = 0;
+        Slices voxels;
+        const std::uint32_t* generations = nullptr; // of all voxels of the tile; those of others are not read
+    };
+    FineCells(std::span<const Tile> tiles, std::uint8_t label);
 
     [[nodiscard]] bool isEmpty() const { return spans_.empty(); }
     [[nodiscard]] std::uint32_t generation(std::size_t cell) const {
@@ -124,10 +133,30 @@ public:
                     }
                     const std::size_t first = tile * kTileVoxels;
                     const auto* own = entries.data() + slots_.placeOf(first);
-                    for (std::size_t n = 0; n < kTileVoxels; ++n) {
-                        if (own[n] != 0) {
-                            f(first + n, base_ + own[n]);
+                    for (std::size_t row = 0; row < kTileVoxels; row += 8) {
+                        auto any = own[row];
+                        for (std::size_t n = row + 1; n < row + 8; ++n) {
+                            any |= own[n];
                         }
+                        for (std::size_t n = row; any != 0 && n < row + 8; ++n) {
+                            if (own[n] != 0) {
+                                f(first + n, base_ + own[n]);
+                            }
+                        }
+                    }
+                }
+            },
+            entries_);
+    }
+    // Calls f(tile, entries, base) for each tile in which something has grown: an entry for each of its
+    // voxels, 0 where nothing has, which is a generation less that base.
+    template <typename F>
+    void visitTiles(F&& f) const {
+        std::visit(
+            [&](const auto& entries) {
+                for (std::size_t tile = 0; tile < kBrickTiles; ++tile) {
+                    if (slots_.slotOf(tile) != 0) {
+                        f(tile, entries.data() + slots_.placeOf(tile * kTileVoxels), base_);
                     }
                 }
             },
@@ -160,6 +189,10 @@ public:
 private:
     template <typename Entry>
     std::vector<Entry> entriesOf(const OpenCells& open) const;
+    template <typename Entry>
+    std::vector<Entry> entriesOf(std::span<const Tile> tiles) const;
+    template <typename From>
+    void setEntries(const From& from, std::uint32_t last);
 
     TileSlots slots_;        // of the tiles in which something has grown
     std::uint32_t base_ = 0; // generation = this + entry

@@ -4,6 +4,8 @@
 #include "volume/grid/visit_type.h"
 
 #include <algorithm>
+#include <unordered_set>
+#include <utility>
 
 namespace vs::segment {
 
@@ -28,22 +30,6 @@ bool hasOpen(const HostBrick& brick) {
                        [](const HostTile& tile) { return tile.open.any() != 0; });
 }
 
-void closeByValues(HostBrick& brick, const Box3& box, const FineRules& rules) {
-    // Gradients look at voxels beside a voxel.
-    const int margin = rules.constraints->gradient ? 1 : 0;
-    const Box3 around = grow(box, margin);
-    const auto values = rules.values->read(around);
-    rules.values->readAhead(grow(box, field::kBrick));
-    visitValues(rules.values->type(), values, [&](const auto* first) {
-        const HostRules byValue(first, around.size(), rules.values->field(), *rules.constraints);
-        forEachTile(brick, [&](HostTile& tile, std::uint32_t, glm::ivec3 inBrick) {
-            if (tile.open.any() != 0) {
-                tile.open &= byValue.admitted(inBrick + margin);
-            }
-        });
-    });
-}
-
 void closeByFence(HostBrick& brick, const Box3& box, const FineRules& rules) {
     const bool keepsCutPart = rules.constraints->view == field::SculptureView::Probe;
     const auto cuts = (*rules.fence)(box);
@@ -65,7 +51,7 @@ void closeBits(HostBrick& brick, const CellBits& bits) {
 
 } // namespace
 
-void closeWhatRulesRefuse(HostBrick& brick, const Box3& box, const FineRules& rules) {
+void closeWhatIsOutOfBounds(HostBrick& brick, const Box3& box, const FineRules& rules) {
     if (rules.forbidden != nullptr) {
         const auto forbidden = rules.forbidden->find(brick.number);
         if (forbidden != rules.forbidden->end()) {
@@ -75,9 +61,25 @@ void closeWhatRulesRefuse(HostBrick& brick, const Box3& box, const FineRules& ru
     if (rules.constraints->hasFence() && hasOpen(brick)) {
         closeByFence(brick, box, rules);
     }
-    if (hasOpen(brick)) {
-        closeByValues(brick, box, rules);
+}
+
+void closeByValues(HostBrick& brick, const Box3& box, const FineRules& rules) {
+    if (!hasOpen(brick)) {
+        return;
     }
+    // Gradients look at voxels beside a voxel.
+    const int margin = rules.constraints->gradient ? 1 : 0;
+    const Box3 around = grow(box, margin);
+    const auto values = rules.values->read(around);
+    rules.values->readAhead(grow(box, field::kBrick));
+    visitValues(rules.values->type(), values, [&](const auto* first) {
+        const HostRules byValue(first, around.size(), rules.values->field(), *rules.constraints);
+        forEachTile(brick, [&](HostTile& tile, std::uint32_t, glm::ivec3 inBrick) {
+            if (tile.open.any() != 0) {
+                tile.open &= byValue.admitted(inBrick + margin);
+            }
+        });
+    });
 }
 
 bool admitsByValue(glm::ivec3 voxel, const FineRules& rules) {
@@ -95,13 +97,49 @@ void FineBricks::keepValues(const HostBrick& brick) {
     }
 }
 
+void FineBricks::leaveToTiles(HostBrick& brick) {
+    if (!hasOpen(brick)) {
+        brick.isTested.fill(1);
+        return;
+    }
+    const Box3 box = boxOf(brick);
+    brick.values = rules_.values->blockAround(box.lo);
+    rules_.values->readAhead(grow(box, field::kBrick));
+    note(brick);
+}
+
+void FineBricks::note(HostBrick& brick) {
+    holding_.push_back(&brick);
+    if (held_.try_emplace(brick.values.get(), brick.values->size()).second) {
+        heldBytes_ += brick.values->size();
+    }
+}
+
+void FineBricks::forget() {
+    HostBricks::forget();
+    for (HostBrick* brick : std::exchange(holding_, {})) {
+        brick->values.reset();
+    }
+    held_.clear();
+    heldBytes_ = 0;
+}
+
 void FineBricks::letGoBehind(const std::vector<HostBrick*>& front) {
     keepOnly(front);
     std::erase_if(values_, [&](const auto& entry) { return !isMade(entry.first); });
+    holding_.clear();
+    held_.clear();
+    heldBytes_ = 0;
+    std::unordered_set<const HostBrick*> seen;
+    for (HostBrick* brick : front) {
+        if (seen.insert(brick).second && brick->values != nullptr) {
+            note(*brick);
+        }
+    }
 }
 
 std::size_t FineBricks::memoryBytes() const {
-    std::size_t bytes = madeBytes();
+    std::size_t bytes = madeBytes() + heldBytes_;
     for (const auto& [brick, values] : values_) {
         bytes += values.size();
     }
@@ -119,7 +157,12 @@ void FineBricksToGrowInto::open(HostBrick& brick) {
             slices::clear(brick.tiles[cell >> 9U].open, std::uint32_t(cell & 511U));
         });
     }
-    closeWhatRulesRefuse(brick, box, rules_);
+    closeWhatIsOutOfBounds(brick, box, rules_);
+    if (!rules_.constraints->gradient && !hasPairs(*rules_.constraints)) {
+        leaveToTiles(brick);
+        return;
+    }
+    closeByValues(brick, box, rules_);
     brick.isTested.fill(1);
     keepValues(brick);
 }
@@ -136,7 +179,8 @@ void FineBricksOfSegment::open(HostBrick& brick) {
             }
         });
         if (rules_.constraints != nullptr) {
-            closeWhatRulesRefuse(brick, boxOf(brick), rules_);
+            closeWhatIsOutOfBounds(brick, boxOf(brick), rules_);
+            closeByValues(brick, boxOf(brick), rules_);
         }
     }
     brick.isTested.fill(1);

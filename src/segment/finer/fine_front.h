@@ -28,19 +28,23 @@ struct FineRules {
     std::uint8_t label = 1;
 };
 
-// The voxels of a brick that rules let in by themselves: their values, the fence, what is forbidden. Throws
-// ReadError.
-void closeWhatRulesRefuse(HostBrick& brick, const Box3& box, const FineRules& rules);
+// Closes the voxels of a brick that rules refuse whatever their values: the fence, what is forbidden.
+void closeWhatIsOutOfBounds(HostBrick& brick, const Box3& box, const FineRules& rules);
+// Closes those that rules refuse by their values alone. Throws ReadError.
+void closeByValues(HostBrick& brick, const Box3& box, const FineRules& rules);
 // Whether they let in one voxel, by its value alone.
 bool admitsByValue(glm::ivec3 voxel, const FineRules& rules);
 
-// Bricks of the finest level that a set may spread into. Each is asked about as a whole when it is come to:
-// its values are read then, and let go of, unless rules for pairs of neighbours will ask for them again.
+// Bricks of the finest level that a set may spread into. Their values are read when a brick is come to. Where
+// rules ask for a range alone, each tile of it is asked about when it is; else the brick is as a whole, and
+// its values are let go of, unless rules for pairs of neighbours will ask for them again.
 class FineBricks : public HostBricks {
 public:
     explicit FineBricks(glm::ivec3 dims) : HostBricks(dims), dims_(dims) {}
     // All must stay until the next call.
     void goBy(const FineRules& rules) { rules_ = rules; }
+    // From now on bricks are made anew.
+    void forget();
     [[nodiscard]] const FineRules& rules() const { return rules_; }
 
     // The voxels of a box two voxels wider than the brick that a voxel lies in; that is in hand.
@@ -51,6 +55,8 @@ public:
         const glm::ivec3 lo = voxel / field::kBrick * field::kBrick;
         return {lo - kMargin, lo + field::kBrick + kMargin};
     }
+    // A brick that is in hand, by a voxel.
+    [[nodiscard]] const HostBrick& inHand(glm::ivec3 voxel) const { return *found(voxel); }
     // Lets go of all but what the front needs.
     void letGoBehind(const std::vector<HostBrick*>& front);
     [[nodiscard]] std::size_t memoryBytes() const;
@@ -66,10 +72,19 @@ protected:
         return {lo, glm::min(lo + field::kBrick, dims_)};
     }
     void keepValues(const HostBrick& brick);
+    // Leaves what values decide in a brick to be asked tile by tile. Throws ReadError.
+    void leaveToTiles(HostBrick& brick);
 
     glm::ivec3 dims_;
     FineRules rules_;
+
+private:
+    void note(HostBrick& brick);
+
     std::unordered_map<std::uint32_t, std::vector<std::byte>> values_; // for rules for pairs
+    std::vector<HostBrick*> holding_;                                  // bricks with values of their own
+    std::unordered_map<const void*, std::size_t> held_; // the blocks that these are in, and their bytes
+    std::size_t heldBytes_ = 0;
 };
 
 // The bricks in which a segment may grow: open is what nobody has and the rules let in.
@@ -93,21 +108,29 @@ private:
     int after_;
 };
 
-// The rules that are left to be asked of open voxels: those for pairs of neighbours.
+// The rules that are left to be asked of open voxels: of tiles that were not asked about whether their values
+// are in range, of pairs of neighbours the rules for these.
 template <typename T>
-class FinePairs {
+class FineRulesLeft {
 public:
-    explicit FinePairs(const FineBricks& bricks)
+    explicit FineRulesLeft(const FineBricks& bricks)
         : bricks_(bricks),
           has_(bricks.rules().constraints != nullptr && FineBricks::hasPairs(*bricks.rules().constraints)),
           rules_(nullptr, FineBricks::boxAround(glm::ivec3(0)).size(), bricks.rules().values->field(),
-                 has_ ? *bricks.rules().constraints : Constraints()) {}
+                 bricks.rules().constraints != nullptr ? *bricks.rules().constraints : Constraints()) {}
 
-    [[nodiscard]] bool asksOnlyForRange() const { return !has_; }
+    // Values are found by their voxel, not by a number in all of the level.
+    [[nodiscard]] static bool asksOnlyForRange() { return false; }
+    [[nodiscard]] static bool isInRangeAt(std::size_t /*index*/) { return true; }
     [[nodiscard]] bool hasPairs() const { return has_; }
-    [[nodiscard]] bool isInRangeAt(std::size_t /*index*/) const { return true; }
-    [[nodiscard]] bool admits(glm::ivec3 /*voxel*/) const { return true; }
-    [[nodiscard]] Slices admitted(glm::ivec3 /*origin*/) const { return slices::box(glm::ivec3(8)); }
+    [[nodiscard]] bool admits(glm::ivec3 voxel) const {
+        const Box3 block = bricks_.rules().values->blockBox(voxel);
+        return inBlock(voxel, block).admits(voxel - block.lo);
+    }
+    [[nodiscard]] Slices admitted(glm::ivec3 origin) const {
+        const Box3 block = bricks_.rules().values->blockBox(origin);
+        return inBlock(origin, block).admitted(origin - block.lo);
+    }
     [[nodiscard]] bool admitsFrom(glm::ivec3 parent, glm::ivec3 child) const {
         if (!has_) {
             return true;
@@ -118,6 +141,10 @@ public:
     }
 
 private:
+    [[nodiscard]] HostRules<T> inBlock(glm::ivec3 voxel, const Box3& block) const {
+        return rules_.of(reinterpret_cast<const T*>(bricks_.inHand(voxel).values->data()), block.size());
+    }
+
     const FineBricks& bricks_;
     bool has_;
     HostRules<T> rules_; // of values that are said with each question

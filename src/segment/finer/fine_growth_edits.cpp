@@ -148,9 +148,9 @@ std::unordered_map<std::uint32_t, CellBits> FineGrowth::flood(FineBricks& region
     }
     std::vector<std::uint64_t> joined;
     volume::visitType(values_->type(), [&](const auto* none) {
-        const FinePairs<std::remove_cv_t<std::remove_pointer_t<decltype(none)>>> pairs(region);
+        const FineRulesLeft<std::remove_cv_t<std::remove_pointer_t<decltype(none)>>> left(region);
         spread.expand(
-            pairs, {connectivity, 1, expansions}, [](const TileOfBrick&, std::uint32_t, std::uint32_t) {},
+            left, {connectivity, 1, expansions}, [](const TileOfBrick&, std::uint32_t, std::uint32_t) {},
             joined);
     });
     found = int(std::count_if(joined.begin(), joined.end(), [](std::uint64_t n) { return n > 0; }));

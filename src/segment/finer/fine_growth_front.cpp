@@ -42,9 +42,9 @@ std::vector<std::uint64_t> FineGrowth::expand(int expansions) {
     std::atomic<bool> isOutOfMemory = false;
     const Connectivity connectivity = run_.state.constraints.connectivity;
     volume::visitType(values_->type(), [&](const auto* none) {
-        const FinePairs<std::remove_cv_t<std::remove_pointer_t<decltype(none)>>> pairs(bricks_);
+        const FineRulesLeft<std::remove_cv_t<std::remove_pointer_t<decltype(none)>>> left(bricks_);
         spread_.expand(
-            pairs, {connectivity, run_.state.extent + 1, expansions, kManyVoxels},
+            left, {connectivity, run_.state.extent + 1, expansions, kManyVoxels},
             [&](const TileOfBrick& tile, std::uint32_t place, std::uint32_t generation) {
                 if (std::uint32_t* list = generationsOf(tile)) {
                     list[place] = generation;
@@ -116,7 +116,15 @@ void FineGrowth::commit() {
     });
     const auto put = [&](int n) {
         Joined& one = joined[std::size_t(n)];
-        OpenCells open = one.before == nullptr ? OpenCells() : one.before->opened();
+        if (one.before == nullptr) {
+            std::vector<FineCells::Tile> tiles;
+            for (const Joined::Tile& tile : one.tiles) {
+                tiles.push_back({tile.tile, tile.joined, tile.generations.get()});
+            }
+            one.after = std::make_shared<const FineCells>(tiles, label_);
+            return;
+        }
+        OpenCells open = one.before->opened();
         for (const Joined::Tile& tile : one.tiles) {
             slices::forEach(tile.joined, [&](std::uint32_t place) {
                 open.set(tile.tile * kTileVoxels + place, tile.generations[place], label_);

@@ -35,6 +35,11 @@ public:
 
     // The values of a box, x fastest; beyond the grid those at its border. Throws ReadError.
     [[nodiscard]] std::vector<std::byte> read(const Box3& box);
+    // The values of the block of 64^3 voxels that a voxel lies in, and its box, x fastest. Throws ReadError.
+    [[nodiscard]] field::BrickCache::Values blockAround(glm::ivec3 voxel) {
+        return block(blocks_.placeOf(voxel / kBlock));
+    }
+    [[nodiscard]] Box3 blockBox(glm::ivec3 voxel) const { return blocks_.boxOf(voxel / kBlock); }
     // Values of such a box will be asked for soon, it may be. What cannot be read is told when they are.
     void readAhead(const Box3& box);
 

@@ -4,78 +4,10 @@
 #include "base/parallel.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace vs::segment {
-
-// The generations of one voxel of the scene's finest voxels, by segment.
-class SceneView::Gathered {
-public:
-    using List = std::pair<std::uint8_t, std::vector<std::uint32_t>>;
-
-    void clear() { used_ = 0; }
-    // The list of a segment; it stays where it is until the next is asked for.
-    List& of(std::uint8_t label) {
-        const auto end = lists_.begin() + std::ptrdiff_t(used_);
-        auto list =
-            std::find_if(lists_.begin(), end, [&](const List& known) { return known.first == label; });
-        if (list == end) {
-            if (used_ == lists_.size()) {
-                lists_.emplace_back();
-            }
-            list = lists_.begin() + std::ptrdiff_t(used_++);
-            list->first = label;
-            list->second.clear();
-        }
-        return *list;
-    }
-    // The one with the most, of equal ones that with the smallest label; null: none.
-    List* most() {
-        const auto end = lists_.begin() + std::ptrdiff_t(used_);
-        const auto found = std::max_element(lists_.begin(), end, [](const List& a, const List& b) {
-            return a.second.size() != b.second.size() ? a.second.size() < b.second.size() : a.first > b.first;
-        });
-        return found == end || found->second.empty() ? nullptr : &*found;
-    }
-
-private:
-    std::vector<List> lists_; // kept from voxel to voxel for their memory
-    std::size_t used_ = 0;    // so many of them are this voxel's
-};
-
-namespace {
-
-std::size_t indexIn(const Box3& box, glm::ivec3 voxel) {
-    const glm::ivec3 size = box.size();
-    const glm::ivec3 at = voxel - box.lo;
-    return (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
-           std::size_t(at.x);
-}
-
-// The cells of finest bricks, of which neighbouring voxels mostly ask for the same one.
-class CellReader {
-public:
-    explicit CellReader(const FineGrowth& growth) : growth_(growth) {}
-
-    // The brick of a voxel; null: nothing has grown in it.
-    const FineCells* brickOf(glm::ivec3 voxel) {
-        const std::uint32_t number = growth_.brickOf(voxel);
-        if (number != number_) {
-            number_ = number;
-            const auto found = growth_.map().find(number);
-            cells_ = found == growth_.map().end() ? nullptr : found->second.get();
-        }
-        return cells_;
-    }
-
-private:
-    const FineGrowth& growth_;
-    std::uint32_t number_ = ~0U;
-    const FineCells* cells_ = nullptr;
-};
-
-} // namespace
 
 namespace {
 
@@ -102,96 +34,53 @@ glm::ivec3 SceneView::sceneVoxelOf(glm::ivec3 finest) const {
     return glm::clamp(voxel, glm::ivec3(0), sceneDims_ - 1);
 }
 
-// What some voxels of a brick of the scene have.
-void SceneView::share(const FineGrowth& finest, const Box3& sceneVoxels, const Box3& brick,
-                      Shares& shares) const {
-    shares.labels.resize(brick.volume());
-    shares.hasHalf.resize(brick.volume());
-    shares.generations.resize(brick.volume());
-    CellReader reader(finest);
-    Gathered gathered;
-    forEachVoxel(sceneVoxels, [&](glm::ivec3 voxel, std::size_t) {
-        const Box3 inside = finestIn(voxel);
-        gathered.clear();
-        // Mostly one brick, seldom as many as eight.
-        forEachVoxel(Box3{inside.lo / field::kBrick, (inside.hi - 1) / field::kBrick + 1},
-                     [&](glm::ivec3 place, std::size_t) {
-                         const glm::ivec3 lo = place * field::kBrick;
-                         if (const FineCells* cells = reader.brickOf(lo)) {
-                             gather(*cells,
-                                    {glm::max(inside.lo - lo, glm::ivec3(0)),
-                                     glm::min(inside.hi - lo, glm::ivec3(field::kBrick))},
-                                    gathered);
-                         }
-                     });
-        const std::size_t at = indexIn(brick, voxel);
-        Gathered::List* const most = gathered.most();
-        shares.labels[at] = most == nullptr ? 0 : most->first;
-        if (most == nullptr) {
-            shares.hasHalf[at] = 0;
+// The segments that have at least half of each voxel of a box; 0: none does.
+std::vector<std::uint8_t> SceneView::halvesIn(const Box3& box, const BrickTable& table) const {
+    std::vector<std::uint8_t> halves(box.volume());
+    forEachVoxel(bricksAround(box), [&](glm::ivec3 place, std::size_t) {
+        const std::uint32_t number = table.brickOf(place * field::kBrick);
+        const auto known = shares_.find(number);
+        if (known == shares_.end()) {
             return;
         }
-        std::vector<std::uint32_t>& generations = most->second;
-        const std::size_t half = (inside.volume() + 1) / 2;
-        const std::size_t many = std::min(half, generations.size());
-        const auto last = generations.begin() + std::ptrdiff_t(many) - 1;
-        std::nth_element(generations.begin(), last, generations.end());
-        shares.generations[at] = *last;
-        shares.hasHalf[at] = many == half ? 1 : 0;
-    });
-}
-
-// What counts of some voxels of a brick.
-void SceneView::gather(const FineCells& cells, const Box3& inBrick, Gathered& gathered) const {
-    const std::size_t tile = cellOf(inBrick.lo) / kTileVoxels;
-    if (tile == cellOf(inBrick.hi - 1) / kTileVoxels && cells.isTileEmpty(tile)) {
-        return;
-    }
-    const auto& spans = cells.spans();
-    const auto own = spans.find(label_);
-    const bool countsAll = own == spans.end() || int(own->second.last) <= upTo_;
-    Gathered::List* const only = spans.size() == 1 ? &gathered.of(spans.begin()->first) : nullptr;
-    cells.visitGenerations([&](const auto& generationOf) {
-        forEachVoxel(inBrick, [&](glm::ivec3 v, std::size_t) {
-            const std::size_t cell = cellOf(v);
-            const std::uint32_t generation = generationOf(cell);
-            if (generation == 0) {
-                return;
+        const Box3 brick = table.box(number);
+        const Box3 part = intersect(box, brick);
+        for (int z = part.lo.z; z < part.hi.z; ++z) {
+            for (int y = part.lo.y; y < part.hi.y; ++y) {
+                const glm::ivec3 row(part.lo.x, y, z);
+                std::copy_n(known->second.halves.begin() + std::ptrdiff_t(indexIn(brick, row)), part.size().x,
+                            halves.begin() + std::ptrdiff_t(indexIn(box, row)));
             }
-            const std::uint8_t label = only != nullptr ? only->first : cells.label(cell);
-            if (countsAll || label != label_ || int(generation) <= upTo_) {
-                (only != nullptr ? *only : gathered.of(label)).second.push_back(generation);
-            }
-        });
-    });
-}
-
-bool SceneView::isThinAt(glm::ivec3 sceneVoxel, std::uint8_t label, const BrickTable& table) const {
-    bool isThin = true;
-    const Box3 around = intersect(grow(Box3{sceneVoxel, sceneVoxel + 1}, 1), {glm::ivec3(0), sceneDims_});
-    forEachVoxel(around, [&](glm::ivec3 near, std::size_t) {
-        const std::uint32_t number = table.brickOf(near);
-        const auto shares = shares_.find(number);
-        if (shares != shares_.end()) {
-            const std::size_t at = indexIn(table.box(number), near);
-            isThin = isThin && !(shares->second.labels[at] == label && shares->second.hasHalf[at] != 0);
         }
     });
-    return isThin;
+    return halves;
 }
 
 void SceneView::tell(std::uint32_t number, const BrickTable& table, MirroredBrick& brick) const {
     const Box3 box = table.box(number);
-    brick.generations.assign(box.volume(), 0);
     brick.labels.assign(box.volume(), 0);
+    brick.generations.resize(box.volume());
     const auto known = shares_.find(number);
     if (known == shares_.end()) {
         return;
     }
-    const Shares& shares = known->second;
-    forEachVoxel(box, [&](glm::ivec3 voxel, std::size_t i) {
+    const SceneShares& shares = known->second;
+    const Box3 all{glm::ivec3(0), sceneDims_};
+    const Box3 wider = intersect(grow(box, 1), all);
+    const auto halves = halvesIn(wider, table);
+    const glm::ivec3 size = box.size();
+    forEachLabelled(shares.labels, [&](std::size_t i) {
+        const auto n = int(i);
+        const glm::ivec3 voxel = box.lo + glm::ivec3(n % size.x, n / size.x % size.y, n / (size.x * size.y));
         const std::uint8_t label = shares.labels[i];
-        if (label != 0 && (shares.hasHalf[i] != 0 || isThinAt(voxel, label, table))) {
+        bool isShown = shares.halves[i] != 0;
+        if (!isShown) { // unless it is thin here, what has half of it nowhere around has no voxel
+            isShown = true;
+            forEachVoxel(intersect(grow(Box3{voxel, voxel + 1}, 1), all), [&](glm::ivec3 near, std::size_t) {
+                isShown = isShown && halves[indexIn(wider, near)] != label;
+            });
+        }
+        if (isShown) {
             brick.labels[i] = label;
             brick.generations[i] = shares.generations[i];
         }
@@ -222,7 +111,7 @@ void SceneView::update(FineGrowth& finest, Growth& scene, Going going) {
     std::map<std::uint32_t, std::vector<Box3>> changed; // in each brick of the scene
     std::set<std::uint32_t> stale;
     const auto forEachBrick = [&](const Box3& voxels, const auto& visit) {
-        forEachVoxel(Box3{voxels.lo / field::kBrick, divideUp(voxels.hi, field::kBrick)},
+        forEachVoxel(bricksAround(voxels),
                      [&](glm::ivec3 place, std::size_t) { visit(table.brickOf(place * field::kBrick)); });
     };
     const auto since = finest.changed();
@@ -242,8 +131,9 @@ void SceneView::update(FineGrowth& finest, Growth& scene, Going going) {
     const std::vector<std::pair<std::uint32_t, std::vector<Box3>>> work(changed.begin(), changed.end());
     inParallel(int(work.size()), [&](int n) {
         const auto& [number, boxes] = work[std::size_t(n)];
+        ShareCounter counter(finest, edges_, upTo_);
         for (const Box3& box : boxes) {
-            share(finest, box, table.box(number), shares_.at(number));
+            counter.count(box, table.box(number), shares_.at(number));
         }
     });
     for (const auto& [number, boxes] : work) {
@@ -252,7 +142,9 @@ void SceneView::update(FineGrowth& finest, Growth& scene, Going going) {
             shares_.erase(number);
         }
     }
-    const std::vector<std::uint32_t> numbers(stale.begin(), stale.end());
+    std::vector<std::uint32_t> numbers; // of bricks that show something, or did
+    std::copy_if(stale.begin(), stale.end(), std::back_inserter(numbers),
+                 [&](std::uint32_t brick) { return shares_.contains(brick) || table.isOccupied(brick); });
     std::map<std::uint8_t, GrowthState> others;
     for (const auto& [label, run] : finest.others()) {
         others.emplace(label, run.state);

@@ -4,9 +4,9 @@
 #include "field/bricks/brick_grid.h"
 #include "segment/finer/fine_growth.h"
 #include "segment/finer/finest_edges.h"
+#include "segment/finer/scene_shares.h"
 #include "segment/growth/growth_mirror.h"
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -36,25 +36,16 @@ public:
     [[nodiscard]] glm::ivec3 sceneVoxelOf(glm::ivec3 finest) const;
 
 private:
-    // What a brick of the scene has of the segments.
-    struct Shares {
-        std::vector<std::uint8_t> labels;       // the one with the largest share; 0: none has any
-        std::vector<std::uint8_t> hasHalf;      // 1: at least half
-        std::vector<std::uint32_t> generations; // in which it got to have half, or all that it has
-    };
-    class Gathered;
-    void share(const FineGrowth& finest, const Box3& sceneVoxels, const Box3& brick, Shares& shares) const;
-    void gather(const FineCells& cells, const Box3& inBrick, Gathered& gathered) const;
     void countUpTo(const FineGrowth& finest, Going going, std::set<std::uint32_t>& changed);
     void tell(std::uint32_t number, const BrickTable& table, MirroredBrick& brick) const;
-    [[nodiscard]] bool isThinAt(glm::ivec3 sceneVoxel, std::uint8_t label, const BrickTable& table) const;
+    [[nodiscard]] std::vector<std::uint8_t> halvesIn(const Box3& box, const BrickTable& table) const;
 
     field::BrickGrid grid_;
     glm::ivec3 sceneDims_;
-    FinestEdges edges_;                      // of all of the scene
-    std::uint8_t label_ = 1;                 // of the segment at work at the last update
-    int upTo_ = 0;                           // generations of it after this one do not count
-    std::map<std::uint32_t, Shares> shares_; // by brick of the scene
+    FinestEdges edges_;                           // of all of the scene
+    std::uint8_t label_ = 1;                      // of the segment at work at the last update
+    int upTo_ = 0;                                // generations of it after this one do not count
+    std::map<std::uint32_t, SceneShares> shares_; // by brick of the scene; none: it has nothing
 };
 
 } // namespace vs::segment

@@ -2,13 +2,27 @@
 #pragma once
 
 #include "base/math.h"
+#include "field/field.h"
 #include "gl/buffer.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace vs::segment {
+
+// The bricks of 32^3 voxels that a box touches, as ranges of brick coordinates.
+inline Box3 bricksAround(const Box3& box) {
+    return {box.lo / field::kBrick, divideUp(box.hi, field::kBrick)};
+}
+// Where a voxel of a box stands in a list of them, x fastest.
+inline std::size_t indexIn(const Box3& box, glm::ivec3 voxel) {
+    const glm::ivec3 size = box.size();
+    const glm::ivec3 at = voxel - box.lo;
+    return (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
+           std::size_t(at.x);
+}
 
 // The first and the last generation found in a brick of 32^3 voxels; 0, 0 when nothing has grown there. After
 // voxels were erased the span may be wider than what is left.

@@ -12,8 +12,6 @@ namespace vs::segment {
 
 namespace {
 
-constexpr std::size_t kVoxels = SeedMap::kWordsPerBrick * 32;
-
 void widen(GenerationSpan& span, std::uint32_t generation) {
     span.first = span.first == 0 ? generation : std::min(span.first, generation);
     span.last = std::max(span.last, generation);
@@ -27,14 +25,16 @@ void SeedMap::layOut(std::uint32_t brick, const MirroredBrick& from, std::vector
     auto* const grown = reinterpret_cast<std::uint32_t*>(bytes.data());
     auto* const generations = reinterpret_cast<std::uint16_t*>(bytes.data() + kGrownBytes);
     auto* const late = reinterpret_cast<std::uint8_t*>(bytes.data() + kGrownBytes + kGenerationBytes);
-    forEachVoxel(bricks_.box(brick), [&](glm::ivec3 voxel, std::size_t i) {
-        if (from.generations[i] != 0) {
-            const std::size_t bit = bitOf(voxel) - brick * kVoxels;
-            grown[bit / 32] |= 1U << bit % 32;
-            generations[bit] = std::uint16_t(from.generations[i]);
-            if (lateBytes > 0) {
-                late[bit] = std::uint8_t(from.generations[i] >> 16U);
-            }
+    const Box3 box = bricks_.box(brick);
+    const glm::uvec3 size(box.size());
+    forEachLabelled(from.labels, [&](std::size_t i) {
+        const auto n = std::uint32_t(i);
+        const glm::uvec3 inBrick(n % size.x, n / size.x % size.y, n / (size.x * size.y));
+        const std::size_t bit = bitInBrick(inBrick);
+        grown[bit / 32] |= 1U << bit % 32;
+        generations[bit] = std::uint16_t(from.generations[i]);
+        if (lateBytes > 0) {
+            late[bit] = std::uint8_t(from.generations[i] >> 16U);
         }
     });
     std::copy_n(reinterpret_cast<const std::byte*>(from.labels.data()), from.labels.size(),
@@ -73,11 +73,9 @@ void Growth::mirror(std::uint8_t label, const GrowthState& atWork,
             told(some[std::size_t(n)], one.told);
             seedMap_.layOut(some[std::size_t(n)], one.told, one.bytes);
             one.spans.fill({});
-            for (std::size_t i = 0; i < one.told.labels.size(); ++i) {
-                if (one.told.generations[i] != 0) {
-                    widen(one.spans[one.told.labels[i]], one.told.generations[i]);
-                }
-            }
+            forEachLabelled(one.told.labels, [&](std::size_t i) {
+                widen(one.spans[one.told.labels[i]], one.told.generations[i]);
+            });
         });
         for (std::size_t n = 0; n < some.size(); ++n) {
             seedMap_.restoreBrick(some[n], group[n].bytes);

@@ -80,6 +80,7 @@ HostBrick& HostBricks::brickAt(std::uint32_t number, glm::ivec3 place) {
         for (HostTile& tile : brick->tiles) {
             tile.joined = {};
         }
+        brick->values = nullptr;
         open(*brick);
         brick->madeFor = present_;
     }

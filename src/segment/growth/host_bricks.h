@@ -5,6 +5,7 @@
 #include "segment/growth/slices.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -33,6 +34,8 @@ struct HostBrick {
     std::uint64_t madeFor = 0;
     // Where whoever spreads keeps the generations of what joins in each tile; null until something does.
     std::array<std::unique_ptr<std::uint32_t[]>, 64> generations{};
+    // The values that rules ask for, where whoever opens it keeps them until they do.
+    std::shared_ptr<const std::vector<std::byte>> values;
 };
 
 // A tile, by its brick.

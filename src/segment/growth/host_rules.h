@@ -27,10 +27,12 @@ public:
           gradientDifference_(rounded(constraints.gradientDifference)),
           gradientAlong_(gradientColumns(field)) {}
 
-    // The rules asked of values that lie elsewhere, of a box of the same size.
-    [[nodiscard]] HostRules of(const T* values) const {
+    // The rules asked of values that lie elsewhere, of a box of the same size, or of another.
+    [[nodiscard]] HostRules of(const T* values) const { return of(values, dims_); }
+    [[nodiscard]] HostRules of(const T* values, glm::ivec3 dims) const {
         HostRules rules = *this;
         rules.values_ = values;
+        rules.dims_ = dims;
         return rules;
     }
     [[nodiscard]] glm::ivec3 dims() const { return dims_; }

@@ -149,27 +149,10 @@ void SeedMap::restoreBrick(std::uint32_t brick, std::span<const std::byte> bytes
     labels_.upload(bricks_.box(brick), std::vector<std::byte>(labels.begin(), labels.end()));
 }
 
-// As wordAt() and bitOf() of shaders/words.glsl.
 SeedMap::Place SeedMap::placeOf(glm::ivec3 voxel) const {
-    const glm::uvec3 v(voxel);
-    const std::uint32_t tile = (v.z & 24U) << 1U | (v.y & 24U) >> 1U | (v.x & 24U) >> 3U;
-    const std::uint32_t word = (v.z & 6U) << 1U | (v.y & 4U) >> 1U | (v.x & 4U) >> 2U;
-    return {bricks_.brickOf(voxel), tile << 4U | word, (v.z & 1U) << 4U | (v.y & 3U) << 2U | (v.x & 3U)};
+    const std::uint32_t bit = bitInBrick(glm::uvec3(voxel));
+    return {bricks_.brickOf(voxel), bit / 32, bit % 32};
 }
-
-namespace {
-
-// The bricks that a box touches, as ranges of brick coordinates.
-Box3 bricksAround(const Box3& box) { return {box.lo / field::kBrick, divideUp(box.hi, field::kBrick)}; }
-
-std::size_t indexIn(const Box3& box, glm::ivec3 voxel) {
-    const glm::ivec3 size = box.hi - box.lo;
-    const glm::ivec3 at = voxel - box.lo;
-    return (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
-           std::size_t(at.x);
-}
-
-} // namespace
 
 std::vector<std::uint8_t> SeedMap::downloadPlane(const gl::Buffer& plane, const Box3& box) const {
     std::vector<std::uint8_t> inside(box.volume(), 0);

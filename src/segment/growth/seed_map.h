@@ -130,6 +130,12 @@ private:
         std::uint32_t bit = 0;
     };
     [[nodiscard]] Place placeOf(glm::ivec3 voxel) const;
+    // As wordAt() and bitOf() of shaders/words.glsl, of a voxel counted from its brick's first one.
+    static constexpr std::uint32_t bitInBrick(glm::uvec3 v) {
+        const std::uint32_t tile = (v.z & 24U) << 1U | (v.y & 24U) >> 1U | (v.x & 24U) >> 3U;
+        const std::uint32_t word = (v.z & 6U) << 1U | (v.y & 4U) >> 1U | (v.x & 4U) >> 2U;
+        return (tile << 4U | word) << 5U | (v.z & 1U) << 4U | (v.y & 3U) << 2U | (v.x & 3U);
+    }
     void storeOnHost(std::span<const std::uint32_t> voxels, int generation);
 
     glm::ivec3 dims_;

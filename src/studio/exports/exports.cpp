@@ -31,6 +31,16 @@ bool endsIn(const std::filesystem::path& path, const char* extension) {
 
 // --- surfaces
 
+// At the finest level that the segment has grown at.
+mesh::Mesh surfaceOf(std::uint8_t label, const ExportSource& source, const std::array<Box3, 256>& boxes,
+                     const mesh::Progress& progress) {
+    if (source.finestLabels) {
+        const auto& finest = *source.finestLabels;
+        return mesh::segmentSurface({finest.labels, finest.isEmpty}, finest.geometry, label, progress);
+    }
+    return mesh::segmentSurface(source.labels, source.geometry, label, boxes[label]);
+}
+
 std::vector<mesh::Mesh> segmentMeshes(const ExportSource& source, const mesh::Refinement& refinement,
                                       const mesh::Progress& progress) {
     const auto boxes = segment::labelBoxes(source.labels, source.geometry.dims);
@@ -41,7 +51,7 @@ std::vector<mesh::Mesh> segmentMeshes(const ExportSource& source, const mesh::Re
         const double from = double(i) / count;
         mesh::report(progress, from);
         mesh::Mesh mesh =
-            mesh::segmentSurface(source.labels, source.geometry, segment.label, boxes[segment.label]);
+            surfaceOf(segment.label, source, boxes, mesh::partOf(progress, from, from + kContouring / count));
         mesh.name = segment.name;
         mesh.colour = segment.colour;
         mesh.opacity = segment.opacity;

@@ -72,8 +72,8 @@ struct ExportSource {
         volume::GridGeometry geometry;
     };
     std::optional<Finest> finest;
-    // Segments, for stores: labels of boxes of the finest level, where they grew at that, and whether one has
-    // none.
+    // Segments, for stores and surfaces: labels of boxes of the finest level, where they grew at that, and
+    // whether one has none.
     struct FinestLabels {
         std::function<std::vector<std::uint8_t>(const Box3&)> labels;
         std::function<bool(const Box3&)> isEmpty;

@@ -51,8 +51,9 @@ StoreProgress::StoreProgress(const fs::path& store, const std::string& what)
     const bool isNew = !fs::exists(file_, error);
     if (isNew) {
         if (fs::exists(store, error) && !fs::is_empty(store, error)) {
-            throw WriteError("{}: there is something already; remove it, or give another name",
-                             store.string());
+            const bool isStore = fs::exists(store / ".zattrs", error);
+            throw WriteError("{}: there is {} already; remove it, or give another name", store.string(),
+                             isStore ? "a store that is finished" : "something");
         }
         fs::create_directories(store, error);
         std::ofstream stream(file_);
@@ -85,8 +86,9 @@ void StoreProgress::takeUp(const std::string& what) {
     std::string line;
     std::getline(stream, line);
     if (line != what) {
-        throw WriteError("{}: something else was begun there ({}); remove it, or give another name",
-                         store_.string(), line);
+        throw WriteError("{}: another volume, or this one with other settings, was begun there; remove it, "
+                         "or give another name",
+                         store_.string());
     }
     while (std::getline(stream, line)) {
         std::istringstream numbers(line);

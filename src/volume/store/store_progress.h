@@ -24,7 +24,6 @@ public:
     StoreProgress& operator=(const StoreProgress&) = delete;
 
     [[nodiscard]] bool isDone(int level, int slab) const { return done_.contains({level, slab}); }
-    [[nodiscard]] std::size_t doneSlabs() const { return done_.size(); }
     // A slab of chunks has been written: it is on the disk when this returns.
     void note(int level, int slab);
     // All has been written.

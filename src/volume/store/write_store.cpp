@@ -46,7 +46,7 @@ public:
             array.chunks.assign(3, layout.chunk);
             array.type = storedTypeOf(source.type);
             array.codec = layout.codec;
-            slabs_ += array.chunkCount(0);
+            chunks_ += array.chunkCount(0) * chunksInSlab(array);
             store_.levels.push_back({std::move(array), geometry});
         }
         const auto& finest = store_.levels.front();
@@ -67,6 +67,7 @@ public:
                     writeSlab(level, slab);
                     progress_.note(int(level), slab);
                 }
+                chunksDone_ += chunksInSlab(store_.levels[level].array);
             }
         }
         std::vector<GridGeometry> grids;
@@ -81,6 +82,12 @@ public:
     }
 
 private:
+    static std::int64_t chunksInSlab(const ZarrArray& array) {
+        return array.chunkCount(1) * array.chunkCount(2);
+    }
+    // `inHand`: chunks of the slab in hand that are done.
+    void tell(double inHand) const { reportProgress((double(chunksDone_) + inHand) / double(chunks_)); }
+
     void writeSlab(std::size_t level, int slab) {
         const std::vector<glm::ivec3> places = placesToWrite(level, slab);
         const int count = int(places.size());
@@ -91,8 +98,7 @@ private:
                              slab * layout_.chunk);
         }
         for (int first = 0; first < count; first += atOnce) {
-            // A slab of the finest level costs about eight times one of the next.
-            reportProgress((double(progress_.doneSlabs()) + double(first) / count) / double(slabs_));
+            tell(double(first) / count * double(chunksInSlab(store_.levels[level].array)));
             inParallel(std::min(atOnce, count - first),
                        [&](int n) { writeChunk(level, places[std::size_t(first + n)], extremes); });
         }
@@ -107,7 +113,7 @@ private:
     [[nodiscard]] std::vector<glm::ivec3> placesToWrite(std::size_t level, int slab) const {
         const ZarrArray& array = store_.levels[level].array;
         std::vector<glm::ivec3> places;
-        reportProgress(double(progress_.doneSlabs()) / double(slabs_));
+        tell(0);
         for (int y = 0; y < int(array.chunkCount(1)); ++y) {
             for (int x = 0; x < int(array.chunkCount(2)); ++x) {
                 const glm::ivec3 place(x, y, slab);
@@ -199,7 +205,8 @@ private:
     StoreLayout layout_;
     StoreProgress progress_;
     Multiscales store_;
-    std::int64_t slabs_ = 0;
+    std::int64_t chunks_ = 0; // of all levels
+    std::int64_t chunksDone_ = 0;
 };
 
 } // namespace

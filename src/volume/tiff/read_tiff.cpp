@@ -58,7 +58,7 @@ class Stack {
 public:
     explicit Stack(const fs::path& path) : path_(path), files_(filesOf(path)), first_(files_.front()) {
         page_ = first_.page(0);
-        metadata_ = readTiffMetadata(first_.description(), first_.resolution());
+        metadata_ = readTiffMetadata(first_.description(), first_.resolution(), first_.isPerCentimetre());
         pages_ = files_.size() > 1 ? std::int64_t(files_.size()) : first_.pages();
         if (pages_ == 1 && metadata_.isImageJ && metadata_.images > 1) {
             plainOffset_ = first_.plainOffset(); // stacks of 4 GB and more: one page tells of all
@@ -168,6 +168,14 @@ GridGeometry geometryOf(const fs::path& path, Stack& stack, Slices part) {
         spacing = glm::dvec3(1);
         stack.notices().push_back(
             fmt::format("{}: how large its voxels are is not said; 1 x 1 x 1 mm is taken", path.string()));
+    } else if (spacing.z == 0) {
+        spacing.z = spacing.x;
+        if (stack.slices() > 1) {
+            stack.notices().push_back(
+                fmt::format("{}: how far apart its slices are is not said; {:.6g} mm is taken, as far as its "
+                            "pixels",
+                            path.string(), spacing.z));
+        }
     }
     for (int axis = 0; axis < 3; ++axis) {
         checkSpacing(path, spacing[axis]);

@@ -251,6 +251,13 @@ glm::dvec2 TiffFile::resolution() {
     return {x, y};
 }
 
+bool TiffFile::isPerCentimetre() {
+    go(0);
+    std::uint16_t unit = RESUNIT_NONE;
+    TIFFGetField(file_.get(), TIFFTAG_RESOLUTIONUNIT, &unit);
+    return unit == RESUNIT_CENTIMETER;
+}
+
 std::uint64_t TiffFile::plainOffset() {
     const TiffPage first = page(0);
     std::uint16_t compression = COMPRESSION_NONE;

@@ -44,6 +44,8 @@ public:
     std::string description();
     // Pixels along x and along y that the first page says lie in one of its units; 0 where it does not.
     glm::dvec2 resolution();
+    // Whether that unit is the centimetre. Inches are mostly a printer's, whatever the picture shows.
+    bool isPerCentimetre();
     // Where the first page's values begin in the file, if they lie there as they are and in one piece; 0 if
     // not.
     std::uint64_t plainOffset();

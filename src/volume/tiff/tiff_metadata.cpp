@@ -46,7 +46,7 @@ TiffMetadata ofImageJ(const std::string& description, glm::dvec2 pixelsPerUnit) 
     }
     if (unit && isSensible(pixelsPerUnit.x) && isSensible(pixelsPerUnit.y)) {
         const glm::dvec2 pixel = *unit / pixelsPerUnit;
-        out.spacingMm = {pixel, isSensible(slicesApart) ? *unit * slicesApart : pixel.x};
+        out.spacingMm = {pixel, isSensible(slicesApart) ? *unit * slicesApart : 0};
     }
     return out;
 }
@@ -89,7 +89,7 @@ TiffMetadata ofOme(const std::string& xml) {
         spacing[axis] = size && unit ? std::strtod(size->c_str(), nullptr) * *unit : 0;
     }
     if (isSensible(spacing.x) && isSensible(spacing.y)) {
-        out.spacingMm = {spacing.x, spacing.y, isSensible(spacing.z) ? spacing.z : spacing.x};
+        out.spacingMm = {spacing.x, spacing.y, isSensible(spacing.z) ? spacing.z : 0};
     }
     return out;
 }
@@ -106,14 +106,19 @@ std::int64_t TiffMetadata::pageOf(std::int64_t slice, std::int64_t channel, std:
     return page;
 }
 
-TiffMetadata readTiffMetadata(const std::string& description, glm::dvec2 pixelsPerUnit) {
+TiffMetadata readTiffMetadata(const std::string& description, glm::dvec2 pixelsPerUnit,
+                              bool isPerCentimetre) {
     if (description.starts_with("ImageJ=")) {
         return ofImageJ(description, pixelsPerUnit);
     }
     if (description.find("<OME") != std::string::npos) {
         return ofOme(description);
     }
-    return {};
+    TiffMetadata out;
+    if (isPerCentimetre && isSensible(pixelsPerUnit.x) && isSensible(pixelsPerUnit.y)) {
+        out.spacingMm = {10.0 / pixelsPerUnit, 0};
+    }
+    return out;
 }
 
 } // namespace vs::volume

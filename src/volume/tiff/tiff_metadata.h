@@ -17,7 +17,7 @@ struct TiffMetadata {
     std::int64_t channels = 1;
     std::int64_t times = 1;
     std::string order = "CZT"; // of the pages, the fastest first
-    glm::dvec3 spacingMm{0};   // 0: not said
+    glm::dvec3 spacingMm{0};   // 0: not said; z alone: how far apart slices are is not
     bool isImageJ = false;
     std::int64_t images = 0; // of ImageJ: pages, though the file may describe only the first
 
@@ -25,7 +25,8 @@ struct TiffMetadata {
     [[nodiscard]] std::int64_t pageOf(std::int64_t slice, std::int64_t channel, std::int64_t time) const;
 };
 
-// `pixelsPerUnit` is the first page's resolution, in the units that ImageJ names.
-TiffMetadata readTiffMetadata(const std::string& description, glm::dvec2 pixelsPerUnit);
+// `pixelsPerUnit` is the first page's resolution, in the units that ImageJ names, or in those that the file
+// itself does.
+TiffMetadata readTiffMetadata(const std::string& description, glm::dvec2 pixelsPerUnit, bool isPerCentimetre);
 
 } // namespace vs::volume

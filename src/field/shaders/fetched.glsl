@@ -1,0 +1,16 @@
+// Trilinear samples that are the same to the last bit wherever in a texture the texels lie: a texture unit
+// rounds the place that it is given, and so the weights. For what decides between one thing and another.
+// Included by scene.glsl.
+
+// Between the texels `first` and `next`, which lie one texel apart along each axis, or are the same one.
+float fetchedBetween(sampler3D texels, ivec3 first, ivec3 next, vec3 f) {
+    vec4 low = vec4(texelFetch(texels, first, 0).r, texelFetch(texels, ivec3(next.x, first.yz), 0).r,
+                    texelFetch(texels, ivec3(first.x, next.y, first.z), 0).r,
+                    texelFetch(texels, ivec3(next.xy, first.z), 0).r);
+    vec4 high = vec4(texelFetch(texels, ivec3(first.xy, next.z), 0).r,
+                     texelFetch(texels, ivec3(next.x, first.y, next.z), 0).r,
+                     texelFetch(texels, ivec3(first.x, next.yz), 0).r, texelFetch(texels, next, 0).r);
+    vec4 planes = mix(low, high, f.z);
+    vec2 rows = mix(planes.xy, planes.zw, f.y);
+    return mix(rows.x, rows.y, f.x);
+}

@@ -37,7 +37,7 @@ FineCells::FineCells(const OpenCells& open) {
         return;
     }
     base_ = first - 1;
-    setEntries(open, last);
+    setEntries(last, [&]<typename Entry>(Entry /*kind*/) { return entriesOf<Entry>(open); });
     if (spans_.size() == 1) {
         labels_ = {spans_.begin()->first};
         return;
@@ -51,48 +51,64 @@ FineCells::FineCells(const OpenCells& open) {
     }
 }
 
-FineCells::FineCells(std::span<const Tile> tiles, std::uint8_t label) {
-    std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
-    std::uint32_t last = 0;
-    for (const Tile& tile : tiles) {
-        slices::forEach(tile.voxels, [&](std::uint32_t place) {
-            first = std::min(first, tile.generations[place]);
-            last = std::max(last, tile.generations[place]);
-        });
-        if (tile.voxels.any() != 0) {
+FineCells::FineCells(const FineCells* before, const Joined& joined) {
+    const bool isAlone = before == nullptr || before->isEmpty();
+    if (!isAlone && (before->spans_.size() > 1 || before->spans_.begin()->first != joined.label ||
+                     joined.span.first <= before->base_)) {
+        OpenCells open = before->opened();
+        for (const Joined::Tile& tile : joined.tiles) {
+            slices::forEach(tile.voxels, [&](std::uint32_t place) {
+                open.set(tile.tile * kTileVoxels + place, joined.from + tile.when[place], joined.label);
+            });
+        }
+        *this = FineCells(open);
+        return;
+    }
+    GenerationSpan span = joined.span;
+    if (!isAlone) {
+        const GenerationSpan old = before->spans_.begin()->second;
+        span = {std::min(old.first, span.first), std::max(old.last, span.last)};
+        slots_ = before->slots_;
+    }
+    for (const Joined::Tile& tile : joined.tiles) {
+        if (isTileEmpty(tile.tile)) {
             slots_.add(tile.tile);
         }
     }
-    if (last == 0) {
-        return;
-    }
-    spans_.emplace(label, GenerationSpan{first, last});
-    labels_ = {label};
-    base_ = first - 1;
-    setEntries(tiles, last);
+    spans_.emplace(joined.label, span);
+    labels_ = {joined.label};
+    base_ = isAlone ? span.first - 1 : before->base_;
+    setEntries(span.last, [&]<typename Entry>(Entry /*kind*/) {
+        std::vector<Entry> entries(slots_.count() * kTileVoxels);
+        if (!isAlone) { // of the tiles that were there, whose slots come first
+            std::visit([&](const auto& old) { std::copy(old.begin(), old.end(), entries.begin()); },
+                       before->entries_);
+        }
+        add(joined, entries);
+        return entries;
+    });
 }
 
-// In as few bytes as generations up to the last one need.
-template <typename From>
-void FineCells::setEntries(const From& from, std::uint32_t last) {
+// In as few bytes as generations up to the last one need: of what `entriesOf` makes of an entry of a type.
+template <typename F>
+void FineCells::setEntries(std::uint32_t last, F&& entriesOf) {
     if (last - base_ <= std::numeric_limits<std::uint8_t>::max()) {
-        entries_ = entriesOf<std::uint8_t>(from);
+        entries_ = entriesOf(std::uint8_t());
     } else if (last - base_ <= std::numeric_limits<std::uint16_t>::max()) {
-        entries_ = entriesOf<std::uint16_t>(from);
+        entries_ = entriesOf(std::uint16_t());
     } else {
-        entries_ = entriesOf<std::uint32_t>(from);
+        entries_ = entriesOf(std::uint32_t());
     }
 }
 
 template <typename Entry>
-std::vector<Entry> FineCells::entriesOf(std::span<const Tile> tiles) const {
-    std::vector<Entry> entries(slots_.count() * kTileVoxels);
-    for (const Tile& tile : tiles) {
-        Entry* own = entries.data() + slots_.placeOf(tile.tile * kTileVoxels);
+void FineCells::add(const Joined& joined, std::vector<Entry>& entries) const {
+    const std::uint32_t from = joined.from - base_;
+    for (const Joined::Tile& tile : joined.tiles) {
+        Entry* const own = entries.data() + slots_.placeOf(tile.tile * kTileVoxels);
         slices::forEach(tile.voxels,
-                        [&](std::uint32_t place) { own[place] = Entry(tile.generations[place] - base_); });
+                        [&](std::uint32_t place) { own[place] = Entry(from + tile.when[place]); });
     }
-    return entries;
 }
 
 template <typename Entry>

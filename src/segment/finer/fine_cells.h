@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <span>
 #include <unordered_map>
 #include <variant>
 #include <vector>
@@ -97,13 +96,21 @@ private:
 class FineCells {
 public:
     explicit FineCells(const OpenCells& open);
-    // What one segment has of a brick in which nothing else has grown, by tiles, the first one first.
-    struct Tile {
-        std::size_t tile = 0;
-        Slices voxels;
-        const std::uint32_t* generations = nullptr; // of all voxels of the tile; those of others are not read
+    // What has joined a segment in a brick: in some of its tiles which voxels, and in which generations,
+    // counted from `from`.
+    struct Joined {
+        struct Tile {
+            std::size_t tile = 0;
+            Slices voxels;
+            const std::uint16_t* when = nullptr; // of all voxels of the tile; those of others are not read
+        };
+        std::uint8_t label = 0;
+        GenerationSpan span; // of all that has joined
+        std::uint32_t from = 0;
+        std::vector<Tile> tiles;
     };
-    FineCells(std::span<const Tile> tiles, std::uint8_t label);
+    // With what had grown before, if anything had.
+    FineCells(const FineCells* before, const Joined& joined);
 
     [[nodiscard]] bool isEmpty() const { return spans_.empty(); }
     [[nodiscard]] std::uint32_t generation(std::size_t cell) const {
@@ -189,10 +196,10 @@ public:
 private:
     template <typename Entry>
     std::vector<Entry> entriesOf(const OpenCells& open) const;
+    template <typename F>
+    void setEntries(std::uint32_t last, F&& entriesOf);
     template <typename Entry>
-    std::vector<Entry> entriesOf(std::span<const Tile> tiles) const;
-    template <typename From>
-    void setEntries(const From& from, std::uint32_t last);
+    void add(const Joined& joined, std::vector<Entry>& entries) const;
 
     TileSlots slots_;        // of the tiles in which something has grown
     std::uint32_t base_ = 0; // generation = this + entry

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "segment/finer/fine_front.h"
+#include "segment/finer/tile_lists.h"
 #include "segment/growth/growth.h"
 #include "segment/growth/host_spread.h"
 
@@ -130,7 +131,7 @@ private:
     int compute(int generations);
     std::vector<std::uint64_t> expand(int expansions);
     void collect();
-    void commit();
+    void commit(std::uint32_t from);
     void freeze();
     // Spreads from seeds through `region`; the voxels that were reached, by brick.
     std::unordered_map<std::uint32_t, CellBits> flood(FineBricks& region,
@@ -147,6 +148,7 @@ private:
     std::uint8_t label_ = 1;
     Run run_;
     std::map<std::uint8_t, Run> others_;
+    TileLists lists_; // of what joins until it is committed
     FineBricksToGrowInto bricks_;
     HostSpread spread_;
     std::vector<glm::ivec3> added_; // seeds that the front has not taken up yet

@@ -17,15 +17,6 @@ namespace {
 // The voxels after which no further expansion is tried.
 constexpr std::uint64_t kManyVoxels = 3'000'000;
 
-// The list of a tile's generations; null: there is no memory. One thread at a time looks at a tile.
-std::uint32_t* generationsOf(const TileOfBrick& tile) {
-    auto& list = tile.brick->generations[tile.tile];
-    if (list == nullptr) {
-        list.reset(new (std::nothrow) std::uint32_t[kTileVoxels]);
-    }
-    return list.get();
-}
-
 } // namespace
 
 // Voxels grown by each expansion tried.
@@ -41,13 +32,16 @@ std::vector<std::uint64_t> FineGrowth::expand(int expansions) {
     std::vector<std::uint64_t> grown;
     std::atomic<bool> isOutOfMemory = false;
     const Connectivity connectivity = run_.state.constraints.connectivity;
+    const auto first = std::uint32_t(run_.state.extent + 1);
     volume::visitType(values_->type(), [&](const auto* none) {
         const FineRulesLeft<std::remove_cv_t<std::remove_pointer_t<decltype(none)>>> left(bricks_);
         spread_.expand(
-            left, {connectivity, run_.state.extent + 1, expansions, kManyVoxels},
+            left, {connectivity, int(first), expansions, kManyVoxels},
             [&](const TileOfBrick& tile, std::uint32_t place, std::uint32_t generation) {
-                if (std::uint32_t* list = generationsOf(tile)) {
-                    list[place] = generation;
+                std::uint16_t*& when = tile.brick->whenJoined[tile.tile]; // one thread is at a tile
+                when = when != nullptr ? when : lists_.take();
+                if (when != nullptr) {
+                    when[place] = std::uint16_t(generation - first);
                 } else { // threads must not throw
                     isOutOfMemory = true;
                 }
@@ -57,7 +51,7 @@ std::vector<std::uint64_t> FineGrowth::expand(int expansions) {
     if (isOutOfMemory) {
         throw std::bad_alloc();
     }
-    commit();
+    commit(first);
     isValid_ = true;
     if (bricks_.memoryBytes() > frontBytes_) {
         bricks_.letGoBehind(spread_.front());
@@ -88,49 +82,31 @@ void FineGrowth::collect() {
     }
 }
 
-// What has joined in the last expansions becomes part of what has grown.
-void FineGrowth::commit() {
+// What has joined in the last expansions, of which the first made generation `from`, becomes part of what has
+// grown.
+void FineGrowth::commit(std::uint32_t from) {
     struct Joined {
         std::uint32_t brick = 0;
         FineCellsPtr before;
         FineCellsPtr after;
-        struct Tile {
-            std::size_t tile = 0;
-            Slices joined;
-            std::unique_ptr<const std::uint32_t[]> generations;
-        };
-        std::vector<Tile> tiles;
+        FineCells::Joined voxels;
     };
     std::vector<Joined> joined;
-    bricks_.takeJoined([&](HostBrick& brick, GenerationSpan) {
+    bricks_.takeJoined([&](HostBrick& brick, GenerationSpan span) {
         const auto known = map_.find(brick.number);
         Joined& one = joined.emplace_back();
         one.brick = brick.number;
         one.before = known == map_.end() ? FineCellsPtr() : known->second;
+        one.voxels = {label_, span, from, {}};
         for (std::size_t tile = 0; tile < brick.tiles.size(); ++tile) {
             if (brick.hasJoined[tile] != 0) {
-                one.tiles.push_back(
-                    {tile, brick.tiles[tile].joined, std::exchange(brick.generations[tile], nullptr)});
+                one.voxels.tiles.push_back({tile, brick.tiles[tile].joined, brick.whenJoined[tile]});
             }
         }
     });
     const auto put = [&](int n) {
         Joined& one = joined[std::size_t(n)];
-        if (one.before == nullptr) {
-            std::vector<FineCells::Tile> tiles;
-            for (const Joined::Tile& tile : one.tiles) {
-                tiles.push_back({tile.tile, tile.joined, tile.generations.get()});
-            }
-            one.after = std::make_shared<const FineCells>(tiles, label_);
-            return;
-        }
-        OpenCells open = one.before->opened();
-        for (const Joined::Tile& tile : one.tiles) {
-            slices::forEach(tile.joined, [&](std::uint32_t place) {
-                open.set(tile.tile * kTileVoxels + place, tile.generations[place], label_);
-            });
-        }
-        one.after = std::make_shared<const FineCells>(open);
+        one.after = std::make_shared<const FineCells>(one.before.get(), one.voxels);
     };
     constexpr int kWorthThreads = 16;
     if (int(joined.size()) < kWorthThreads) {
@@ -147,6 +123,7 @@ void FineGrowth::commit() {
         noteChanged(one.brick);
         map_[one.brick] = std::move(one.after);
     }
+    lists_.takeBackAll();
 }
 
 } // namespace vs::segment

@@ -74,9 +74,7 @@ HostBrick& HostBricks::brickAt(std::uint32_t number, glm::ivec3 place) {
         brick->around.fill(0);
         brick->isTested.fill(0);
         brick->hasJoined.fill(0);
-        for (auto& list : brick->generations) {
-            list.reset();
-        }
+        brick->whenJoined.fill(nullptr);
         for (HostTile& tile : brick->tiles) {
             tile.joined = {};
         }

@@ -32,8 +32,8 @@ struct HostBrick {
     glm::ivec3 place{0};     // in bricks
     GenerationSpan joinedIn; // the generations of what has joined; 0, 0: nothing has
     std::uint64_t madeFor = 0;
-    // Where whoever spreads keeps the generations of what joins in each tile; null until something does.
-    std::array<std::unique_ptr<std::uint32_t[]>, 64> generations{};
+    // Where whoever spreads keeps when voxels of each tile joined; null until one does.
+    std::array<std::uint16_t*, 64> whenJoined{};
     // The values that rules ask for, where whoever opens it keeps them until they do.
     std::shared_ptr<const std::vector<std::byte>> values;
 };
@@ -123,6 +123,7 @@ public:
     void takeJoined(F&& take) {
         for (HostBrick* brick : joined_) {
             take(*brick, std::exchange(brick->joinedIn, {}));
+            brick->whenJoined.fill(nullptr);
             for (std::size_t tile = 0; tile < brick->tiles.size(); ++tile) {
                 if (std::exchange(brick->hasJoined[tile], std::uint8_t(0)) != 0) {
                     brick->tiles[tile].joined = {};

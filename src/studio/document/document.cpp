@@ -54,7 +54,7 @@ void Document::showFinerLevels(const FinerLevels& levels) {
         // From here on nothing fails.
         impl_->cutter.refine(std::move(finer), *detail);
         if (!contents.region.exists()) {
-            contents.region.refine({source, finest, levels.options.hostBytes / 2, levels.options.threads});
+            contents.region.refine({source, finest, levels.options.hostBytes, levels.options.threads});
         }
     }
     impl_->display.showFiner(*detail, std::move(cells));

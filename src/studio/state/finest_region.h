@@ -16,7 +16,7 @@ namespace vs::studio {
 struct FinestLevel {
     std::shared_ptr<const volume::BrickSource> source;
     field::BrickGrid grid;     // of its finest level, in the scene's voxel space
-    std::size_t hostBytes = 0; // that growth may take for values, and as much again for its front
+    std::size_t hostBytes = 0; // that growth may take for values, and half as much for its front
     int threads = 2;           // that read
 };
 

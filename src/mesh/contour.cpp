@@ -58,10 +58,6 @@ glm::dvec3 movedToCrossing(glm::dvec3 point, const segment::VoxelSet& set, const
     return glm::mix(glm::dvec3(inside), glm::dvec3(outside), share);
 }
 
-} // namespace
-
-namespace {
-
 // A point half way between two voxels: twice its place, which is a whole number.
 struct HalfWay {
     glm::ivec3 twice{0};
@@ -83,8 +79,15 @@ class Joined {
 public:
     // `piece` has points half way between voxels of a box, whose faces are shared with other pieces. Returns
     // the number of points that all had before.
-    std::size_t add(const Mesh& piece, const Box3& box) {
+    std::size_t add(Mesh piece, const Box3& box, bool isOnly) {
         const std::size_t before = mesh_.points.size();
+        if (isOnly) {
+            mesh_ = std::move(piece);
+            for (glm::vec3& point : mesh_.points) {
+                point = 2.0F * (point + glm::vec3(box.lo));
+            }
+            return before;
+        }
         std::vector<std::uint32_t> numbers;
         numbers.reserve(piece.points.size());
         const glm::ivec3 lo = 2 * box.lo;
@@ -165,7 +168,7 @@ Mesh contour(const Box3& box, const volume::GridGeometry& geometry, const PieceO
         const Box3 own{lo, glm::min(lo + side, padded.hi)};
         const Piece piece = pieceOf(own);
         if (!piece.set.box.isEmpty()) {
-            const std::size_t first = joined.add(halfWay(piece.set), own);
+            const std::size_t first = joined.add(halfWay(piece.set), own, pieces == glm::ivec3(1));
             move(joined.mesh(), first, piece.set, geometry, piece.crossing);
         }
     });

@@ -29,7 +29,8 @@ using PieceOf = std::function<Piece(const Box3& box)>;
 
 // The surface of such a set, which lies in `box`, closed as by contour() and with the same points and
 // triangles in another order: pieces of `side` voxels are contoured one by one and joined at their borders.
-// Beside the mesh it takes the memory of one piece. `progress` is told between pieces.
+// Beside the mesh it takes the memory of one piece, and some 50 bytes for each point on a border. `progress`
+// is told between pieces.
 Mesh contour(const Box3& box, const volume::GridGeometry& geometry, const PieceOf& pieceOf, int side,
              const Progress& progress = {});
 

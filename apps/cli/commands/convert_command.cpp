@@ -15,6 +15,8 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace vs::cli {
 
@@ -35,20 +37,28 @@ struct ToConvert {
     volume::StoreSource source;
 };
 
-// Voxels of the size that the person gives, in the directions that the file says.
-void resize(volume::StoreSource& source, const std::string& spacing) {
-    const auto mm = parseNumbers(spacing, ',', 3, "spacing", "0.5,0.5,1.25, in mm along x, y and z");
+glm::dvec3 parseSpacing(const std::string& text) {
+    const auto mm = parseNumbers(text, ',', 3, "spacing", "0.5,0.5,1.25, in mm along x, y and z");
+    for (const double length : mm) {
+        if (!(length >= 1e-6 && length <= 1e6)) {
+            throw UsageError("spacing {}: {} mm is not the size of a voxel; give three of 1e-6 to 1e6", text,
+                             length);
+        }
+    }
+    return {mm[0], mm[1], mm[2]};
+}
+
+// Voxels of another size, in the directions that the file says; the first one stays where it is.
+void resize(volume::StoreSource& source, const glm::dvec3& spacingMm) {
     auto& grid = source.facts.geometry;
     const glm::dvec3 before = grid.spacing();
     for (int axis = 0; axis < 3; ++axis) {
-        const double length = mm[std::size_t(axis)];
-        if (!(length >= 1e-6 && length <= 1e6)) {
-            throw UsageError("spacing {}: {} mm is not the size of a voxel; give three of 1e-6 to 1e6",
-                             spacing, length);
-        }
-        grid.worldFromVoxel[axis] *= length / before[axis];
+        grid.worldFromVoxel[axis] *= spacingMm[axis] / before[axis];
     }
-    source.identity += ", spacing " + spacing;
+    const std::string text =
+        fmt::format("{:.9g} x {:.9g} x {:.9g} mm", spacingMm.x, spacingMm.y, spacingMm.z);
+    source.identity += ", voxels of " + text;
+    logNotice(fmt::format("{}: its voxels are taken to be {}, as --spacing says", source.facts.name, text));
 }
 
 ToConvert toConvert(const ConvertOptions& options) {
@@ -75,12 +85,16 @@ void run(const ConvertOptions& options) {
         throw WriteError("{}: a store of OME-Zarr is written; give a name that ends in .zarr",
                          options.output);
     }
+    std::optional<glm::dvec3> spacingMm;
+    if (!options.spacing.empty()) {
+        spacingMm = parseSpacing(options.spacing);
+    }
     ToConvert input = toConvert(options);
     if (!input.source.read) {
         input.source = volume::sourceOf(input.volume);
     }
-    if (!options.spacing.empty()) {
-        resize(input.source, options.spacing);
+    if (spacingMm) {
+        resize(input.source, *spacingMm);
     }
     volume::StoreLayout layout;
     layout.chunk = options.chunk;

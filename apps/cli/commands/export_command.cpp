@@ -13,11 +13,13 @@
 #include "gl/context.h"
 #include "studio/exports/exports.h"
 #include "studio/json/session.h"
+#include "volume/store/write_store.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <memory>
 
@@ -166,6 +168,29 @@ void understand(ExportOptions& options) {
     }
 }
 
+// Libraries that work on surfaces must not be thrown through: they ask whether to go on.
+bool goesOn(double share) {
+    try {
+        reportProgress(share);
+        return true;
+    } catch (const GivenUp&) {
+        return false;
+    }
+}
+
+// With its progress shown.
+std::vector<std::string> writeTold(const ExportOptions& options, const studio::ExportSource& source) {
+    const LongWork work("writing " + options.output);
+    try {
+        return studio::writeExport(options.output, source, options.settings, goesOn);
+    } catch (const GivenUp&) {
+        if (volume::isStoreName(options.output)) { // all else is there when it is complete
+            std::filesystem::remove_all(options.output);
+        }
+        throw GivenUp("{}: given up; nothing is left of it", options.output);
+    }
+}
+
 void runExport(ExportOptions options) {
     understand(options);
     const bool isVolume = options.settings.what == What::Volume;
@@ -184,14 +209,7 @@ void runExport(ExportOptions options) {
     if (options.level) {
         options.settings.range = {*options.level, std::numeric_limits<double>::infinity()};
     }
-    const auto lines = [&] {
-        const LongWork work("writing " + options.output);
-        return studio::writeExport(options.output, input.source, options.settings, [](double share) {
-            reportProgress(share);
-            return true;
-        });
-    }();
-    for (const auto& line : lines) {
+    for (const auto& line : writeTold(options, input.source)) {
         fmt::print("{}\n", line);
     }
 }

@@ -59,9 +59,11 @@ float contentAt(vec3 p) {
 #endif
 }
 
-// How much less than zero may be found where it is zero, by how places in textures are rounded.
+// How much less than zero may be found where it is zero: values are rounded, and so are places in a texture,
+// by some 1e-4 of a texel where its unit has floats. Those that know 256 places from one texel to the next
+// may be off by more.
 #ifdef LOOKS_AGAIN
-float slack() { return 8.0 * valueScale.w / rangeWidth(); }
+float slack() { return 32.0 * max(valueScale.w, limits.w) / rangeWidth() + 1e-4; }
 float exactContentAt(vec3 p) {
 #if CONTENT == 0
     return partInside(exactDataAt(p));
@@ -165,7 +167,7 @@ void testBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
     crossing.t += first * kDt;
 #ifdef LOOKS_AGAIN
     // Whether a ray that grazes a surface meets it must not hang on where in a texture the values are kept.
-    bool isClose = isSample && abs(crossing.value) <= slack();
+    bool isClose = isSample && first < float(kBatch) && abs(crossing.value) <= slack();
     while (isClose) {
         vec3 p = at(ray, crossing.t);
         vec2 here = vec2(exactContentAt(p), sideAt(p));
@@ -270,7 +272,7 @@ vec2 refine(Ray ray, Crossing crossing, Obstacle obstacle) {
         return vec2(crossing.before); // visible from the start: the ray enters the box inside
     }
     vec2 outside = vec2(crossing.before, -1.0);
-    vec2 inside = vec2(crossing.t, beyond(obstacle, at(ray, crossing.t)));
+    vec2 inside = vec2(crossing.t, max(beyond(obstacle, at(ray, crossing.t)), 0.0)); // see slack()
     float guess = mix(outside.x, inside.x, outside.y / (outside.y - inside.y));
     for (int i = 0; i < 2; ++i) {
         float margin = 0.05 * (inside.x - outside.x);
@@ -307,13 +309,14 @@ vec3 facing(vec3 gradient, vec3 towardsViewer) {
 // wholly at a wall so thin that its far side outweighs the near one, which is parallel to it. From the one to
 // the other without a jump, or rounding would decide it.
 vec3 outwards(vec3 outward, vec3 towardsViewer) {
-    const float grazing = 0.2; // cosines: edge on up to here,
-    const float behind = 0.6;  // and turned over from here on
+    const float grazing = 0.1; // cosines: edge on up to here,
+    const float behind = 0.7;  // and turned over from here on
     float l = length(outward);
     vec3 n = l > 1e-12 ? outward / l : towardsViewer;
     float c = dot(n, towardsViewer);
     vec3 edgeOn = (n - c * towardsViewer) * inversesqrt(max(1.0 - c * c, 1e-6));
-    return c >= 0.0 ? n : normalize(mix(edgeOn, -n, smoothstep(grazing, behind, -c)));
+    float fromViewer = mix(acos(0.0), -acos(clamp(-c, 0.0, 1.0)), smoothstep(grazing, behind, -c));
+    return c >= 0.0 ? n : cos(fromViewer) * towardsViewer + sin(fromViewer) * edgeOn;
 }
 
 #if defined(CUT_ALONG_SEGMENTS) && defined(MEETS_SEGMENTS)

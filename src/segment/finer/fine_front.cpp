@@ -97,15 +97,19 @@ void FineBricks::keepValues(const HostBrick& brick) {
     }
 }
 
-void FineBricks::leaveToTiles(HostBrick& brick) {
+bool FineBricks::leaveToTiles(HostBrick& brick) {
     if (!hasOpen(brick)) {
         brick.isTested.fill(1);
-        return;
+        return true;
+    }
+    if (heldBytes_ >= mostHeldBytes_) {
+        return false;
     }
     const Box3 box = boxOf(brick);
     brick.values = rules_.values->blockAround(box.lo);
     rules_.values->readAhead(grow(box, field::kBrick));
     note(brick);
+    return true;
 }
 
 void FineBricks::note(HostBrick& brick) {
@@ -122,6 +126,7 @@ void FineBricks::forget() {
     }
     held_.clear();
     heldBytes_ = 0;
+    values_.clear();
 }
 
 void FineBricks::letGoBehind(const std::vector<HostBrick*>& front) {
@@ -158,8 +163,8 @@ void FineBricksToGrowInto::open(HostBrick& brick) {
         });
     }
     closeWhatIsOutOfBounds(brick, box, rules_);
-    if (!rules_.constraints->gradient && !hasPairs(*rules_.constraints)) {
-        leaveToTiles(brick);
+    const bool isByRange = !rules_.constraints->gradient && !hasPairs(*rules_.constraints);
+    if (isByRange && leaveToTiles(brick)) {
         return;
     }
     closeByValues(brick, box, rules_);

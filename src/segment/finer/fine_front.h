@@ -36,11 +36,14 @@ void closeByValues(HostBrick& brick, const Box3& box, const FineRules& rules);
 bool admitsByValue(glm::ivec3 voxel, const FineRules& rules);
 
 // Bricks of the finest level that a set may spread into. Their values are read when a brick is come to. Where
-// rules ask for a range alone, each tile of it is asked about when it is; else the brick is as a whole, and
-// its values are let go of, unless rules for pairs of neighbours will ask for them again.
+// rules ask for a range alone, each tile of it is asked about when it is, as long as the values that are kept
+// for that are not too many; else the brick is as a whole, and its values are let go of, unless rules for
+// pairs of neighbours will ask for them again.
 class FineBricks : public HostBricks {
 public:
-    explicit FineBricks(glm::ivec3 dims) : HostBricks(dims), dims_(dims) {}
+    // `mostHeldBytes`: of values that are kept for tiles.
+    explicit FineBricks(glm::ivec3 dims, std::size_t mostHeldBytes = 0)
+        : HostBricks(dims), dims_(dims), mostHeldBytes_(mostHeldBytes) {}
     // All must stay until the next call.
     void goBy(const FineRules& rules) { rules_ = rules; }
     // From now on bricks are made anew.
@@ -72,8 +75,9 @@ protected:
         return {lo, glm::min(lo + field::kBrick, dims_)};
     }
     void keepValues(const HostBrick& brick);
-    // Leaves what values decide in a brick to be asked tile by tile. Throws ReadError.
-    void leaveToTiles(HostBrick& brick);
+    // Leaves what values decide in a brick to be asked tile by tile; false: too many are kept. Throws
+    // ReadError.
+    bool leaveToTiles(HostBrick& brick);
 
     glm::ivec3 dims_;
     FineRules rules_;
@@ -85,6 +89,7 @@ private:
     std::vector<HostBrick*> holding_;                                  // bricks with values of their own
     std::unordered_map<const void*, std::size_t> held_; // the blocks that these are in, and their bytes
     std::size_t heldBytes_ = 0;
+    std::size_t mostHeldBytes_;
 };
 
 // The bricks in which a segment may grow: open is what nobody has and the rules let in.

@@ -55,7 +55,7 @@ std::vector<std::uint8_t> labelsIn(const FineMap& map, glm::ivec3 dims, std::uin
 FineGrowth::FineGrowth(std::unique_ptr<FineValues> values, std::function<FineFence()> fenceNow,
                        std::size_t frontBytes)
     : values_(std::move(values)), fenceNow_(std::move(fenceNow)), frontBytes_(frontBytes),
-      bricks_(values_->field().geometry.dims), spread_(bricks_, values_->field().geometry.dims) {}
+      bricks_(values_->field().geometry.dims, frontBytes), spread_(bricks_, values_->field().geometry.dims) {}
 
 FineRules FineGrowth::rules() const {
     return {values_.get(),        &map_, &run_.state.constraints, run_.fence ? &run_.fence : nullptr,
@@ -256,7 +256,7 @@ std::vector<std::uint32_t> FineGrowth::generations(const Box3& box) const {
 }
 
 std::size_t FineGrowth::memoryBytes() const {
-    std::size_t bytes = bricks_.memoryBytes();
+    std::size_t bytes = bricks_.memoryBytes() + lists_.bytes();
     for (const auto& [brick, cells] : map_) {
         bytes += cells->bytes();
     }

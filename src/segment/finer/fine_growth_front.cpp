@@ -2,11 +2,13 @@
 // How growth at the finest level goes on: its front, and what has joined.
 #include "segment/finer/fine_growth.h"
 
+#include "base/check.h"
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "volume/grid/visit_type.h"
 
 #include <atomic>
+#include <limits>
 #include <new>
 #include <utility>
 
@@ -33,6 +35,7 @@ std::vector<std::uint64_t> FineGrowth::expand(int expansions) {
     std::atomic<bool> isOutOfMemory = false;
     const Connectivity connectivity = run_.state.constraints.connectivity;
     const auto first = std::uint32_t(run_.state.extent + 1);
+    VS_CHECK(expansions <= std::numeric_limits<std::uint16_t>::max()); // when voxels joined is told so far
     volume::visitType(values_->type(), [&](const auto* none) {
         const FineRulesLeft<std::remove_cv_t<std::remove_pointer_t<decltype(none)>>> left(bricks_);
         spread_.expand(
@@ -62,6 +65,7 @@ std::vector<std::uint64_t> FineGrowth::expand(int expansions) {
 // All voxels of the segment at work, other than frozen ones, are the newest.
 void FineGrowth::collect() {
     bricks_.forget();
+    lists_.takeBackAll();
     spread_.clear();
     added_.clear();
     for (const std::uint32_t number : holding(run_.state.frozen)) {

@@ -44,7 +44,7 @@ std::uint16_t* TileLists::takeSome() noexcept {
     const std::size_t block = used_ / kListsInBlock;
     if (block == blocks_.size()) {
         try {
-            blocks_.emplace_back(new std::uint16_t[kListsInBlock * kNumbers]);
+            blocks_.push_back(std::make_unique_for_overwrite<std::uint16_t[]>(kListsInBlock * kNumbers));
         } catch (const std::bad_alloc&) {
             return nullptr;
         }

@@ -261,7 +261,16 @@ void expectSeen(const Scene& scene, const FineGrowth& finest) {
         }
         return found;
     };
+    // When those of the segment at work entered, of which as many count as make a half, or all.
+    std::vector<std::vector<std::uint32_t>> entered(voxels);
+    const auto generations = finest.generations(all);
+    forEachVoxel(all, [&](glm::ivec3 v, std::size_t i) {
+        if (labels[i] == finest.label()) {
+            entered[indexOf(scene.view.sceneVoxelOf(v))].push_back(generations[i]);
+        }
+    });
     const auto seen = scene.growth.labelMap();
+    const auto seenSince = scene.growth.generations(true);
     forEachVoxel(Box3{glm::ivec3(0), dims}, [&](glm::ivec3 v, std::size_t i) {
         RC_ASSERT(scene.view.finestIn(v).volume() == sizes[i]);
         const auto [label, hasHalf] = most(i);
@@ -271,6 +280,10 @@ void expectSeen(const Scene& scene, const FineGrowth& finest) {
                          isThin = isThin && most(indexOf(near)) != std::pair(own, true);
                      });
         RC_ASSERT(int(seen[i]) == int(hasHalf || isThin ? label : 0));
+        if (seen[i] == finest.label()) {
+            std::sort(entered[i].begin(), entered[i].end());
+            RC_ASSERT(seenSince[i] == entered[i][std::min((sizes[i] + 1) / 2, entered[i].size()) - 1]);
+        }
     });
 }
 

@@ -11,7 +11,6 @@
 #include <array>
 #include <cstdint>
 #include <random>
-#include <stdexcept>
 #include <tuple>
 #include <vector>
 

@@ -7,6 +7,7 @@
 #include "base/progress.h"
 #include "studio/state/region.h"
 
+#include <cmath>
 #include <exception>
 
 namespace vs::desktop {
@@ -114,12 +115,21 @@ void DocumentExport::cancel() {
 
 void DocumentExport::estimate() {
     std::vector<std::uint8_t> labels;
-    if (studio_.host().document() == nullptr || estimator_.joinable() ||
-        !studio_.host().workLong([&] { labels = studio_.host().document()->region().labelMap(); })) {
+    double finestVoxels = 1; // in one of those that the labels are of
+    const auto look = [&] {
+        const studio::Region& region = studio_.host().document()->region();
+        labels = region.labelMap();
+        finestVoxels = double(region.geometry().voxelCount()) / double(labels.size());
+    };
+    if (studio_.host().document() == nullptr || estimator_.joinable() || !studio_.host().workLong(look)) {
         return;
     }
-    estimator_ = std::jthread([this, labels = std::move(labels), dims = studio_.host().geometry()->dims] {
-        const auto triangles = studio::estimatedTriangles(labels, dims);
+    estimator_ = std::jthread([this, labels = std::move(labels), dims = studio_.host().geometry()->dims,
+                               perFace = std::pow(finestVoxels, 2.0 / 3)] {
+        auto triangles = studio::estimatedTriangles(labels, dims);
+        for (std::size_t& count : triangles) {
+            count = std::size_t(double(count) * perFace);
+        }
         QMetaObject::invokeMethod(
             this,
             [this, triangles] {

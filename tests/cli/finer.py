@@ -105,6 +105,43 @@ class Finer(ScanCase):
                 self.assertTrue(numpy.array_equal(grown[0], wanted[0]))
                 self.assertEqual(grown[1], wanted[1])
 
+    def test_surfaces_are_of_the_finest_level_whatever_is_worked_on(self):
+        session = self.session("s.json", self.store(), GROWTH)
+        wanted = None
+        for level in (0, 1, 2):
+            mesh = self.folder / f"{level}.ply"
+            said = self.succeed("export", session, "--store-level", level, "-o", mesh, "--smooth", 0).stdout
+            said = said.split(":", 1)[1]
+            self.assertRegex(said, r"2 surfaces, \d{5,} triangles, [\d.]+ ml")
+            wanted = wanted or said  # how many triangles there are, and what they hold
+            self.assertEqual(said, wanted)
+
+    def test_label_maps_that_are_stores_are_read_back(self):
+        """Of all their levels, with the segments' names."""
+        store = self.store()
+        named = [{"op": "segment", "segment": "Segment 1", "name": "Bone", "colour": [0.2, 0.4, 0.6]}]
+        session = self.session("s.json", store, GROWTH + named + [{"op": "labels", "file": "op.zarr"}])
+        out, _, _ = self.run_session(session, "grown", "--level", 1)
+        exported = self.folder / "exported.zarr"
+        self.succeed("export", session, "--store-level", 1, "-o", exported)
+        values = self.values(exported)
+        for labels in (out / "op.zarr", exported):
+            with self.subTest(labels=labels.name):
+                for level in (0, 1):
+                    csv = self.folder / "figures.csv"
+                    self.succeed("export", labels, "--volume", store, "--store-level", level, "-o", csv)
+                    rows = csv.read_text()
+                    self.assertIn("Bone", rows)
+                    self.assertIn("Skin", rows)
+                self.succeed("stats", labels, "--volume", store)
+                self.succeed("export", labels, "-o", self.folder / "mesh.stl")
+                load = [{"op": "load labels", "path": str(labels)}, {"op": "labels", "file": "l.nrrd"}]
+                loaded, _, _ = self.run_session(self.session("l.json", store, load, level=1), f"loaded-{labels.name}", "--storage", "dense")
+                again = read_nrrd(loaded / "l.nrrd")
+                level1 = zarr.open_group(str(labels), "r")["1"][:]
+                self.assertTrue(numpy.array_equal(again != 0, level1 != 0))
+        self.assertTrue(numpy.array_equal(values, self.values(out / "op.zarr")))
+
     def test_voxels_of_the_finest_level_are_told_to_what_there_is(self):
         """A session that speaks of them alone, where nothing is finer than what is worked on: the scan itself, or a coarser level by itself."""
         store = self.store()

@@ -11,9 +11,10 @@ namespace vs::cli {
 std::shared_ptr<VolumeArgument> addVolumeArgument(CLI::App& command) {
     auto argument = std::make_shared<VolumeArgument>();
     command
-        .add_option("VOLUME", argument->path,
-                    "NIfTI, NRRD, MetaImage or VTK legacy file, DICOM folder or one of its files, store of "
-                    "OME-Zarr, or a raw file")
+        .add_option(
+            "VOLUME", argument->path,
+            "NIfTI, NRRD, MetaImage or VTK legacy file, DICOM folder or one of its files, TIFF stack or "
+            "folder of TIFF files, store of OME-Zarr, or a raw file")
         ->required();
     addReadOptions(command, *argument);
     return argument;

@@ -121,9 +121,11 @@ Input readVolume(const ExportOptions& options) {
 // Segments in the colours that the file has for them, or else those that new segments get.
 Input readLabels(const ExportOptions& options) {
     Input input;
-    LabelMap map = readLabelMap(options.input);
     if (!options.volume.path.empty()) {
         input.volume = std::make_unique<volume::Volume>(loadVolume(options.volume).volume);
+    }
+    LabelMap map = readLabelMap(options.input, input.volume ? &input.volume->geometry : nullptr);
+    if (input.volume) {
         requireSameGrid(map, input.volume->geometry, input.volume->path);
     } else if (options.output.ends_with(".csv")) {
         throw UsageError("--volume is required: a label map does not say which volume it lies on");
@@ -250,9 +252,11 @@ void addExportCommand(CLI::App& app) {
                      "with --what volume, a volume")
         ->required();
     command
-        ->add_option("-o,--output", options->output,
-                     "File to write. Surfaces: .stl .ply .obj .glb. Segments also: .dcm (DICOM SEG), .nrrd "
-                     ".nii .nii.gz .mha .mhd (label map), .csv (table). The volume also: .nrrd ...")
+        ->add_option(
+            "-o,--output", options->output,
+            "File to write. Surfaces: .stl .ply .obj .glb. Segments also: .dcm (DICOM SEG), .nrrd "
+            ".nii .nii.gz .mha .mhd (label map), .zarr (label map, a store), .csv (table). The volume "
+            "also: .nrrd ... .zarr")
         ->required();
     command->add_option("--what", options->what, "segments, or volume: what is left of it after cutting")
         ->check(CLI::IsMember({"segments", "volume"}))

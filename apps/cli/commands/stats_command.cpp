@@ -38,8 +38,8 @@ std::vector<MeasuredSegment> measureLabels(const StatsOptions& options) {
     if (options.volume.path.empty()) {
         throw UsageError("--volume is required: a label map does not say which volume it lies on");
     }
-    const LabelMap map = readLabelMap(options.labels);
     const volume::Volume volume = loadVolume(options.volume).volume;
+    const LabelMap map = readLabelMap(options.labels, &volume.geometry);
     requireSameGrid(map, volume.geometry, volume.path);
     std::vector<MeasuredSegment> segments;
     for (const auto& statistics : segment::measure(volume, map.labels)) {

@@ -12,11 +12,11 @@
 
 namespace vs::cli {
 
-LabelMap readLabelMap(const std::filesystem::path& path) {
+LabelMap readLabelMap(const std::filesystem::path& path, const volume::GridGeometry* like) {
     std::vector<std::string> notices;
     LabelMap map = [&] {
         const Activity activity("reading " + path.string());
-        return volume::readLabelMap(path, notices);
+        return volume::readLabelMap(path, notices, like);
     }();
     for (const std::string& notice : notices) {
         logNotice(notice);

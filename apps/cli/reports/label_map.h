@@ -14,9 +14,8 @@ namespace vs::cli {
 using volume::LabelMap;
 using volume::requireSameGrid;
 
-// Reads any format that volumes are read from and prints its notices. Throws ReadError, also for values that
-// are no whole numbers and for more than 255 different ones.
-LabelMap readLabelMap(const std::filesystem::path& path);
+// volume::readLabelMap(), which prints the notices.
+LabelMap readLabelMap(const std::filesystem::path& path, const volume::GridGeometry* like = nullptr);
 
 // The smallest number from 1 on that is no label yet.
 std::int64_t nextFreeValue(const LabelMap& map);

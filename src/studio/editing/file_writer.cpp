@@ -44,11 +44,11 @@ namespace {
 
 // Values of boxes of a grid, as a store with levels.
 template <typename T>
-void writeStore(const std::filesystem::path& path, const volume::GridGeometry& grid, volume::ScalarType type,
+void writeStore(const std::filesystem::path& path, const volume::StoreFacts& facts, volume::ScalarType type,
                 volume::Reducing reducing, const std::function<std::vector<T>(const Box3&)>& valuesIn,
                 const std::function<bool(const Box3&)>& isZero = {}) {
     volume::StoreSource source;
-    source.facts.geometry = grid;
+    source.facts = facts;
     source.facts.name = path.stem().string();
     source.type = type;
     // Nobody goes on with it: what it is made from may have changed before the same is asked for again.
@@ -81,17 +81,31 @@ std::function<std::vector<T>(const Box3&)> boxesOf(const std::vector<T>& values,
 
 } // namespace
 
+// The labels that have voxels, as people know them.
+std::vector<volume::StoreFacts::Label> FileWriter::labelFacts() const {
+    std::vector<volume::StoreFacts::Label> labels;
+    for (const SegmentInfo& info : contents_.segments.segments) {
+        if (contents_.region.voxelCount(info.label) > 0) {
+            const glm::u8vec4 rgba(glm::round(glm::dvec4(info.colour, info.opacity) * 255.0));
+            labels.push_back({info.label, info.name, {rgba.r, rgba.g, rgba.b, rgba.a}});
+        }
+    }
+    return labels;
+}
+
 Outcome FileWriter::run(const SaveLabels& op, const std::filesystem::path& folder) {
     if (const auto* finest = contents_.region.finest(); finest != nullptr && volume::isStoreName(op.file)) {
-        writeStore<std::uint8_t>(folder / op.file, contents_.region.geometry(), volume::ScalarType::UInt8,
-                                 volume::Reducing::Commonest, finest->labelReader(), finest->emptyBoxes());
+        writeStore<std::uint8_t>(folder / op.file, {contents_.region.geometry(), "", "", "", labelFacts()},
+                                 volume::ScalarType::UInt8, volume::Reducing::Commonest,
+                                 finest->labelReader(), finest->emptyBoxes());
         return {{}, 0, contents_.grownVoxels(), say("%1", op.file)};
     }
     const auto labels = contents_.region.labelMap();
     if (volume::isStoreName(op.file)) {
         const volume::GridGeometry& grid = contents_.scan.volume.geometry;
-        writeStore<std::uint8_t>(folder / op.file, grid, volume::ScalarType::UInt8,
-                                 volume::Reducing::Commonest, boxesOf(labels, grid.dims));
+        writeStore<std::uint8_t>(folder / op.file, {grid, "", "", "", labelFacts()},
+                                 volume::ScalarType::UInt8, volume::Reducing::Commonest,
+                                 boxesOf(labels, grid.dims));
         return {{}, 0, contents_.grownVoxels(), say("%1", op.file)};
     }
     volume::writeGrid(folder / op.file, contents_.scan.volume.geometry,
@@ -102,15 +116,15 @@ Outcome FileWriter::run(const SaveLabels& op, const std::filesystem::path& folde
 Outcome FileWriter::run(const SaveSculpture& op, const std::filesystem::path& folder) {
     const sculpt::FineSculpture* finer = contents_.sculpture.finer();
     if (finer != nullptr && volume::isStoreName(op.file)) {
-        writeStore<float>(folder / op.file, *cutter_.geometry, volume::ScalarType::Float32,
+        writeStore<float>(folder / op.file, {*cutter_.geometry, "", "", "", {}}, volume::ScalarType::Float32,
                           volume::Reducing::Mean, finer->reader(), finer->emptyBoxes());
         return {{}, 0, 0, say("%1", op.file)};
     }
     const std::vector<float> values = cutter_.sculptureAsFloats();
     if (volume::isStoreName(op.file)) {
         const volume::GridGeometry& grid = contents_.scan.volume.geometry;
-        writeStore<float>(folder / op.file, grid, volume::ScalarType::Float32, volume::Reducing::Mean,
-                          boxesOf(values, grid.dims));
+        writeStore<float>(folder / op.file, {grid, "", "", "", {}}, volume::ScalarType::Float32,
+                          volume::Reducing::Mean, boxesOf(values, grid.dims));
         return {{}, 0, 0, say("%1", op.file)};
     }
     volume::writeGrid(folder / op.file, contents_.scan.volume.geometry, std::span<const float>(values));

@@ -8,9 +8,11 @@
 #include "studio/editing/outcome.h"
 #include "studio/operations/drawn.h"
 #include "studio/strokes/cutter.h"
+#include "volume/store/multiscales.h"
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 namespace vs::studio {
 
@@ -30,6 +32,8 @@ public:
     Outcome run(const SaveSculpture& op, const std::filesystem::path& folder);
 
 private:
+    [[nodiscard]] std::vector<volume::StoreFacts::Label> labelFacts() const;
+
     const Contents& contents_;
     Display& display_;
     const Cutter& cutter_;

@@ -30,9 +30,9 @@ std::string freeName(const SegmentList& segments, const std::string& wanted) {
     return name;
 }
 
-std::shared_ptr<const volume::LabelMap> readMap(const LoadLabels& op) {
+std::shared_ptr<const volume::LabelMap> readMap(const LoadLabels& op, const volume::GridGeometry& grid) {
     std::vector<std::string> notices; // of geometry: requireSameGrid() says what matters
-    auto map = std::make_shared<volume::LabelMap>(volume::readLabelMap(op.path, notices));
+    auto map = std::make_shared<volume::LabelMap>(volume::readLabelMap(op.path, notices, &grid));
     if (!op.checksum.empty() && op.checksum != map->checksum) {
         throw Error(
             "{}: is not the label map that was opened (checksum {}, wanted {}); bring that one back, or "
@@ -237,7 +237,7 @@ std::size_t SegmentListEditor::perform(const LoadLabels& op, Region::Records& re
 
 Outcome SegmentListEditor::run(LoadLabels& op) {
     if (!op.map) {
-        op.map = readMap(op);
+        op.map = readMap(op, contents_.scan.volume.geometry);
     }
     op.checksum = op.map->checksum;
     requireOnGrid(*op.map, contents_.scan);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/reading/label_looks.h"
 
+#include "base/json_file.h"
 #include "base/lines.h"
 #include "base/text.h"
 
+#include <algorithm>
 #include <fstream>
 #include <istream>
 #include <sstream>
@@ -35,8 +37,69 @@ SegmentFields fieldsIn(std::istream& header, const std::filesystem::path& path) 
 } // namespace
 
 LabelLooks labelLooksOf(const std::filesystem::path& path) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) {
+        const auto attributes = path / ".zattrs";
+        return std::filesystem::exists(attributes, error)
+                   ? labelLooksInStore(readJsonFile(attributes, "a store of OME-Zarr", "OME-NGFF 0.4"))
+                   : LabelLooks();
+    }
     std::ifstream file(path, std::ios::binary);
     return labelLooksIn(file, path);
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Calls f(label, entry) with the entries of a list that name a label.
+template <typename F>
+void forEachLabel(const Json& of, const char* list, F&& f) {
+    const auto found = of.find(list);
+    if (found == of.end() || !found->is_array()) {
+        return;
+    }
+    for (const Json& entry : *found) {
+        const auto label = entry.is_object() ? entry.find("label-value") : entry.end();
+        if (entry.is_object() && label != entry.end() && label->is_number_integer()) {
+            f(label->get<std::int64_t>(), entry);
+        }
+    }
+}
+
+std::optional<glm::dvec3> colourOf(const Json& entry) {
+    const auto rgba = entry.find("rgba");
+    if (rgba == entry.end() || !rgba->is_array() || rgba->size() < 3) {
+        return {};
+    }
+    glm::dvec3 colour{0};
+    for (int n = 0; n < 3; ++n) {
+        const Json& part = (*rgba)[std::size_t(n)];
+        if (!part.is_number()) {
+            return {};
+        }
+        colour[n] = std::clamp(part.get<double>() / 255, 0.0, 1.0);
+    }
+    return colour;
+}
+
+} // namespace
+
+LabelLooks labelLooksInStore(const Json& attributes) {
+    LabelLooks looks;
+    const auto labels = attributes.is_object() ? attributes.find("image-label") : attributes.end();
+    if (!attributes.is_object() || labels == attributes.end() || !labels->is_object()) {
+        return looks;
+    }
+    forEachLabel(*labels, "colors",
+                 [&](std::int64_t label, const Json& entry) { looks[label].colour = colourOf(entry); });
+    forEachLabel(*labels, "properties", [&](std::int64_t label, const Json& entry) {
+        const auto name = entry.find("name");
+        if (name != entry.end() && name->is_string()) {
+            looks[label].name = readableName(name->get<std::string>(), LabelLook::kLongestName);
+        }
+    });
+    return looks;
 }
 
 LabelLooks labelLooksIn(std::istream& header, const std::filesystem::path& path) {

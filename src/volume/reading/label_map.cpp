@@ -4,11 +4,13 @@
 #include "base/error.h"
 #include "volume/reading/label_looks.h"
 #include "volume/reading/read_volume.h"
+#include "volume/reading/store_bricks.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 namespace vs::volume {
@@ -40,17 +42,31 @@ std::vector<std::int64_t> labelValues(const Volume& volume) {
     return {found.begin(), found.end()};
 }
 
+std::optional<int> levelLike(const std::filesystem::path& path, const GridGeometry& like) {
+    const StoreBricks store(path, ReadOptions());
+    const auto& levels = store.levels();
+    const auto found = std::find_if(levels.begin(), levels.end(),
+                                    [&](const GridGeometry& level) { return level.dims == like.dims; });
+    return found == levels.end() || found == levels.begin() ? std::nullopt
+                                                            : std::optional(int(found - levels.begin()));
+}
+
 std::string sizeText(glm::ivec3 dims) { return fmt::format("{} x {} x {}", dims.x, dims.y, dims.z); }
 
 } // namespace
 
-LabelMap readLabelMap(const std::filesystem::path& path, std::vector<std::string>& notices) {
+LabelMap readLabelMap(const std::filesystem::path& path, std::vector<std::string>& notices,
+                      const GridGeometry* like) {
     if (isHeaderless(path)) { // --raw is there for volumes
         throw ReadError("{}: is of no known format; label maps are read from NIfTI, NRRD, MetaImage, VTK and "
                         "DICOM files",
                         path.string());
     }
-    ReadResult read = readVolume(path);
+    ReadOptions options;
+    if (like != nullptr && hasLevels(path)) {
+        options.level = levelLike(path, *like);
+    }
+    ReadResult read = readVolume(path, options);
     const Volume& volume = read.volume;
     notices.insert(notices.end(), read.notices.begin(), read.notices.end());
     LabelMap map{path, volume.geometry, {}, labelValues(volume), checksum(volume), labelLooksOf(path)};

@@ -22,9 +22,11 @@ struct LabelMap {
     LabelLooks looks = {};
 };
 
-// Reads any format that volumes are read from; notices are appended. Throws ReadError, also for values that
-// are no whole numbers and for more than 255 different ones.
-LabelMap readLabelMap(const std::filesystem::path& path, std::vector<std::string>& notices);
+// Reads any format that volumes are read from; notices are appended. Of a store the level that has as many
+// voxels as `like`, or the finest. Throws ReadError, also for values that are no whole numbers and for more
+// than 255 different ones.
+LabelMap readLabelMap(const std::filesystem::path& path, std::vector<std::string>& notices,
+                      const GridGeometry* like = nullptr);
 
 // Throws Error if the label map's grid is not that of the volume: other dimensions, or corners that lie more
 // than a tenth of a step apart, which is more than headers round.

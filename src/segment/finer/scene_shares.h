@@ -26,7 +26,7 @@ public:
     ShareCounter(const FineGrowth& finest, const FinestEdges& edges, int upTo)
         : finest_(finest), edges_(edges), upTo_(upTo) {}
 
-    // Those of some voxels of a brick of the scene, which all lie in the edges' box.
+    // Works out the shares of some voxels of a brick of the scene, which all lie in the edges' box.
     void count(const Box3& voxels, const Box3& brick, SceneShares& shares);
 
 private:
@@ -56,7 +56,7 @@ private:
     const FineGrowth& finest_;
     const FinestEdges& edges_;
     int upTo_;
-    // Of a box: which of its voxels along an axis each finest one lies in, from the first one on.
+    // Which voxel of a box along an axis each finest one in it lies in, from the first one on.
     std::array<std::vector<std::uint32_t>, 3> along_;
     glm::ivec3 first_{0};
     glm::uvec3 size_{1}; // the box's, in the scene's voxels

@@ -130,7 +130,8 @@ private:
         std::uint32_t bit = 0;
     };
     [[nodiscard]] Place placeOf(glm::ivec3 voxel) const;
-    // As wordAt() and bitOf() of shaders/words.glsl, of a voxel counted from its brick's first one.
+    // Where the bit of a voxel of a brick is in the brick: wordAt() and bitOf() of shaders/words.glsl. Only
+    // the lower five bits of its coordinates count.
     static constexpr std::uint32_t bitInBrick(glm::uvec3 v) {
         const std::uint32_t tile = (v.z & 24U) << 1U | (v.y & 24U) >> 1U | (v.x & 24U) >> 3U;
         const std::uint32_t word = (v.z & 6U) << 1U | (v.y & 4U) >> 1U | (v.x & 4U) >> 2U;

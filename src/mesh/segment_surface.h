@@ -22,7 +22,8 @@ struct LabelsByBox {
     std::function<std::vector<std::uint8_t>(const Box3&)> labels; // of a box of the grid, x fastest
     std::function<bool(const Box3&)> isEmpty;                     // whether one is known to have none
 };
-// The same surface of such labels, to the point, made piece by piece. Throws GivenUp when `progress` says so.
+// The surface of a segment of such labels, to the point as of labels in memory, made piece by piece. Throws
+// GivenUp when `progress` says so.
 Mesh segmentSurface(const LabelsByBox& labels, const volume::GridGeometry& geometry, std::uint8_t label,
                     const Progress& progress = {});
 

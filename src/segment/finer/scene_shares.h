@@ -22,7 +22,7 @@ struct SceneShares {
 // Works out such shares. Bricks of the scene may be worked out by several threads, each with its own counter.
 class ShareCounter {
 public:
-    // Of the segment at work generations after `upTo` do not count. The growth and the edges must stay.
+    // Generations of the segment at work after `upTo` do not count. The growth and the edges must stay.
     ShareCounter(const FineGrowth& finest, const FinestEdges& edges, int upTo)
         : finest_(finest), edges_(edges), upTo_(upTo) {}
 

@@ -50,16 +50,16 @@ LabelLooks labelLooksOf(const std::filesystem::path& path) {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Attributes = nlohmann::ordered_json;
 
 // Calls f(label, entry) with the entries of a list that name a label.
 template <typename F>
-void forEachLabel(const Json& of, const char* list, F&& f) {
+void forEachLabel(const Attributes& of, const char* list, F&& f) {
     const auto found = of.find(list);
     if (found == of.end() || !found->is_array()) {
         return;
     }
-    for (const Json& entry : *found) {
+    for (const Attributes& entry : *found) {
         const auto label = entry.is_object() ? entry.find("label-value") : entry.end();
         if (entry.is_object() && label != entry.end() && label->is_number_integer()) {
             f(label->get<std::int64_t>(), entry);
@@ -67,14 +67,14 @@ void forEachLabel(const Json& of, const char* list, F&& f) {
     }
 }
 
-std::optional<glm::dvec3> colourOf(const Json& entry) {
+std::optional<glm::dvec3> colourOf(const Attributes& entry) {
     const auto rgba = entry.find("rgba");
     if (rgba == entry.end() || !rgba->is_array() || rgba->size() < 3) {
         return {};
     }
     glm::dvec3 colour{0};
     for (int n = 0; n < 3; ++n) {
-        const Json& part = (*rgba)[std::size_t(n)];
+        const Attributes& part = (*rgba)[std::size_t(n)];
         if (!part.is_number()) {
             return {};
         }
@@ -85,15 +85,15 @@ std::optional<glm::dvec3> colourOf(const Json& entry) {
 
 } // namespace
 
-LabelLooks labelLooksInStore(const Json& attributes) {
+LabelLooks labelLooksInStore(const Attributes& attributes) {
     LabelLooks looks;
     const auto labels = attributes.is_object() ? attributes.find("image-label") : attributes.end();
     if (!attributes.is_object() || labels == attributes.end() || !labels->is_object()) {
         return looks;
     }
     forEachLabel(*labels, "colors",
-                 [&](std::int64_t label, const Json& entry) { looks[label].colour = colourOf(entry); });
-    forEachLabel(*labels, "properties", [&](std::int64_t label, const Json& entry) {
+                 [&](std::int64_t label, const Attributes& entry) { looks[label].colour = colourOf(entry); });
+    forEachLabel(*labels, "properties", [&](std::int64_t label, const Attributes& entry) {
         const auto name = entry.find("name");
         if (name != entry.end() && name->is_string()) {
             looks[label].name = readableName(name->get<std::string>(), LabelLook::kLongestName);

@@ -92,13 +92,16 @@ FineCells::FineCells(const FineCells* before, const Joined& joined) {
 // In as few bytes as generations up to the last one need: of what `entriesOf` makes of an entry of a type.
 template <typename F>
 void FineCells::setEntries(std::uint32_t last, F&& entriesOf) {
-    if (last - base_ <= std::numeric_limits<std::uint8_t>::max()) {
+    const std::uint32_t most = last - base_;
+    if (most <= std::numeric_limits<std::uint8_t>::max()) {
         entries_ = entriesOf(std::uint8_t());
-    } else if (last - base_ <= std::numeric_limits<std::uint16_t>::max()) {
-        entries_ = entriesOf(std::uint16_t());
-    } else {
-        entries_ = entriesOf(std::uint32_t());
+        return;
     }
+    if (most <= std::numeric_limits<std::uint16_t>::max()) {
+        entries_ = entriesOf(std::uint16_t());
+        return;
+    }
+    entries_ = entriesOf(std::uint32_t());
 }
 
 template <typename Entry>

@@ -38,7 +38,7 @@ FAULTS = {
     "growth": ("segment/shaders/constraints.glsl", "max(voxel - 1, 0)", "max(voxel - 2, 0)"),
     "seeds on surfaces": ("segment/shaders/find_seeds.comp", "points[i].voxel.w < 0.5", "points[i].voxel.w < -0.5"),
     "memberships of segments": ("segment/shaders/smooth_xy.comp", "bits >> 6 & 1u", "bits >> 5 & 1u"),
-    "surfaces": ("field/shaders/scene.glsl", "value - range.x + valueScale.w", "value - range.x + 0.01"),
+    "surfaces": ("field/shaders/scene.glsl", "value - range.x + valueScale.w", "value - range.x + 0.1"),
     "faces of cuts": ("field/shaders/scene.glsl", "0.5 - sculpture - 1e-6", "0.505 - sculpture"),
     "surfaces of segments": ("field/shaders/scene.glsl", "textureFromVoxel(p), 0.0).rg; }", "textureFromVoxel(p), 0.0).rg + 0.002; }"),
     "brightest places": ("render/shaders/maximum.glsl", "best.t = better ? t : best.t;", "best.t = better ? t + 0.3 : best.t;"),

@@ -97,10 +97,15 @@ float inPool(sampler3D pool, vec3 slot, vec3 inBrick) {
 }
 #endif
 
-// What stands in for the value at a place whose brick is not there.
-float sceneValueAt(vec3 q) {
-    vec3 p = (q - levelOrigin.xyz) / levelScale.xyz;
-    return textureLod(dataTexture, textureFromVoxel(p), 0.0).r * dataScale().x + dataScale().y;
+// A texel's value in the volume's unit; where the brick is away the scene's own stands in.
+float valueOrScenes(vec3 q, float texel, bool isAway) {
+    float value = texel * brickValue.x + brickValue.y;
+    while (isAway) {
+        vec3 p = (q - levelOrigin.xyz) / levelScale.xyz;
+        value = textureLod(dataTexture, textureFromVoxel(p), 0.0).r * dataScale().x + dataScale().y;
+        isAway = false;
+    }
+    return value;
 }
 
 // The value at a place in the level's voxel space.
@@ -108,23 +113,13 @@ float levelValueAt(vec3 q) {
     vec3 slot;
     vec3 inBrick;
     bool isAway = !findInPool(q, slot, inBrick);
-    float value = inPool(brickPool, slot, inBrick) * brickValue.x + brickValue.y;
-    while (isAway) {
-        value = sceneValueAt(q);
-        isAway = false;
-    }
-    return value;
+    return valueOrScenes(q, inPool(brickPool, slot, inBrick), isAway);
 }
 float fetchedLevelValueAt(vec3 q) {
     vec3 slot;
     vec3 inBrick;
     bool isAway = !findInPool(q, slot, inBrick);
-    float value = fetchedInPool(brickPool, slot, inBrick) * brickValue.x + brickValue.y;
-    while (isAway) {
-        value = sceneValueAt(q);
-        isAway = false;
-    }
-    return value;
+    return valueOrScenes(q, fetchedInPool(brickPool, slot, inBrick), isAway);
 }
 
 #ifdef FINER_CUTS

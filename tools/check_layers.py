@@ -32,7 +32,7 @@ ROOMS = {
                    "reading": ["dicom", "store", "tiff"]},
     "src/sculpt": {"mask": [], "path": [], "radiation": ["mask", "path"], "sculpture": ["radiation"],
                    "surface": ["sculpture"], "solids": ["sculpture"]},
-    "src/segment": {"growth": [], "finer": ["growth"], "edits": ["growth"], "measures": ["edits"], "membership": ["finer"]},
+    "src/segment": {"growth": [], "finer": ["growth"], "edits": ["finer"], "measures": ["edits"], "membership": ["finer"]},
     "src/render": {"colours": [], "camera": [], "space": ["colours"], "marks": ["camera", "colours"],
                    "slices": ["colours"], "rays": ["space", "marks"]},
     "src/studio": {"operations": [], "state": ["operations"], "strokes": ["state"],

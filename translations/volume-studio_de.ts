@@ -5948,6 +5948,22 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>All slices</source>
         <translation>Alle Schichten</translation>
     </message>
+    <message>
+        <source>Graphics memory for scans</source>
+        <translation>Grafikspeicher für Scans</translation>
+    </message>
+    <message>
+        <source>What scans and edits may take on the graphics device, from the next scan that is opened on. Larger ones are worked on at a coarser level</source>
+        <translation>Was Scans und ihre Bearbeitung auf dem Grafikgerät belegen dürfen, vom nächsten geöffneten Scan an. Größere werden auf einer gröberen Stufe bearbeitet</translation>
+    </message>
+    <message>
+        <source>Memory for large scans</source>
+        <translation>Speicher für große Scans</translation>
+    </message>
+    <message>
+        <source>What parts of large scans that were read, and growth in them, may take, from the next scan that is opened on</source>
+        <translation>Was gelesene Teile großer Scans und Wachstum darin belegen dürfen, vom nächsten geöffneten Scan an</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::PropertiesDialog</name>

@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "gl/errors.h"
 #include "gl/hazard_watch.h"
+#include "gl/limits.h"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -200,11 +201,13 @@ Context Context::createHeadless(std::optional<int> device) {
         }
         software.reset(); // its destructor unbinds, so make ours current after it
         eglMakeCurrent(impl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, impl->context);
+        noteDeviceMemory();
         listenForErrors(impl->record);
         return Context(std::move(impl));
     }
     if (software) {
         eglMakeCurrent(software->display, EGL_NO_SURFACE, EGL_NO_SURFACE, software->context);
+        noteDeviceMemory();
         listenForErrors(software->record);
         return Context(std::move(software));
     }
@@ -223,6 +226,7 @@ Context Context::adoptCurrent() {
     }
     auto impl = std::make_unique<Impl>();
     impl->device = describeCurrent();
+    noteDeviceMemory();
     listenForErrors(impl->record);
     return Context(std::move(impl));
 }

@@ -6,6 +6,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
@@ -53,6 +54,24 @@ ComputeLimits computeLimits() {
     glGetIntegerv(GL_MAX_COMPUTE_IMAGE_UNIFORMS, &out.images);
     glGetIntegerv(GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS, &out.textures);
     return out;
+}
+
+namespace {
+
+std::atomic<std::size_t> memoryOfDevice{0};
+
+} // namespace
+
+std::size_t deviceMemoryBytes() { return memoryOfDevice; }
+
+void noteDeviceMemory() {
+    GLint kibibytes[4] = {};
+    if (!Context::isSoftware() && epoxy_has_gl_extension("GL_NVX_gpu_memory_info")) {
+        glGetIntegerv(GL_GPU_MEMORY_INFO_DEDICATED_VIDMEM_NVX, kibibytes);
+    } else if (!Context::isSoftware() && epoxy_has_gl_extension("GL_ATI_meminfo")) {
+        glGetIntegerv(GL_TEXTURE_FREE_MEMORY_ATI, kibibytes); // the first: what is free of all
+    }
+    memoryOfDevice = std::size_t(std::max(kibibytes[0], 0)) * 1024;
 }
 
 namespace {

@@ -43,6 +43,12 @@ int pretendedFilterSteps();
 // What the driver of the current context's device says of compute shaders.
 ComputeLimits computeLimits();
 
+// The memory that the device has which a context was made on last, in bytes, as its driver says; 0: none was
+// made, or its driver does not say, or it has no memory but the machine's. Any thread may ask.
+std::size_t deviceMemoryBytes();
+// Asks the driver of the current context. Internal to this folder.
+void noteDeviceMemory();
+
 // What volumes and what belongs to them take on the device: 3D textures and buffers, of all contexts.
 // Pictures, which are 2D textures, are not counted.
 struct DeviceBytes {

@@ -38,6 +38,17 @@ GROWTH = [
     {"op": "seed", "range": [40, 84], "voxels": [[94, 74, 30], [115, 18, 64]]}, {"op": "grow", "generations": 40},
     {"op": "show generation", "generation": 30}, {"op": "undo"}, {"op": "undo"}, {"op": "redo"},
 ]
+# Edits of the whole, and a ball's way. Voxels of islands and places of brushes are the finest level's.
+SHAPES = GROWTH + [
+    {"op": "edit segment", "edit": "smooth", "amount": 1.2}, {"op": "edit segment", "edit": "open", "amount": 0.9},
+    {"op": "segment", "segment": "Segment 1"},
+    {"op": "edit segment", "edit": "drop small", "amount": 0.01}, {"op": "edit segment", "edit": "fill holes"},
+    {"op": "edit segment", "edit": "margin", "amount": 1.7}, {"op": "edit segment", "edit": "close", "amount": 2.3}, {"op": "undo"},
+    {"op": "edit segment", "edit": "subtract", "other": "Skin", "amount": 1},
+    {"op": "paint segment", "trail": {"points": [[60.2, 70.1, 60.4], [80, 90, 70], [100.6, 70, 66]], "radius": 4.3}, "range": [30, 255], "adds": True},
+    {"op": "paint segment", "trail": {"points": [[70, 80, 64], [72, 84, 66]], "radius": 3.1}, "adds": False},
+    {"op": "edit segment", "edit": "keep island", "voxel": [60, 70, 60]},
+]
 SEED = [{"op": "seed", "range": [85, 255], "voxels": [[66, 80, 64]]}, {"op": "grow"}]
 HALF_SEED = [{"op": "seed", "range": [85, 255], "voxels": [[33, 40, 32]]}, {"op": "grow"}]
 
@@ -104,6 +115,19 @@ class Finer(ScanCase):
                 # Where and when all voxels joined is the same, to the byte.
                 self.assertTrue(numpy.array_equal(grown[0], wanted[0]))
                 self.assertEqual(grown[1], wanted[1])
+
+    def test_segments_get_their_shape_at_the_finest_level_whatever_is_worked_on(self):
+        session = self.session("s.json", self.store(), SHAPES + [{"op": "labels", "file": "l.zarr"}])
+        wanted = {}
+        for level in (0, 1, 2):
+            with self.subTest(level=level):
+                out, report, _ = self.run_session(session, str(level), "--level", level)
+                shaped = self.values(out / "l.zarr"), [o["message"] for o in report["operations"] if o["name"].endswith("segment")]
+                wanted = wanted or shaped
+                for label in (1, 2):
+                    self.assertGreater((shaped[0] == label).sum(), 10_000)
+                self.assertTrue(numpy.array_equal(shaped[0], wanted[0]), msg=f"{(shaped[0] != wanted[0]).sum()} voxels differ")
+                self.assertEqual(shaped[1], wanted[1])
 
     def test_surfaces_are_of_the_finest_level_whatever_is_worked_on(self):
         session = self.session("s.json", self.store(), GROWTH)

@@ -90,8 +90,9 @@ void readFromDocument(Input& input, const ExportOptions& options) {
 Input readSession(const ExportOptions& options) {
     Input input;
     studio::Session session = studio::loadSession(options.input);
-    SessionScan scan = loadSessionScan(session, options.input, options.volume, options.storage);
+    // First: how much is worked on follows what its device has.
     input.context = std::make_unique<gl::Context>(gl::Context::createHeadless());
+    SessionScan scan = loadSessionScan(session, options.input, options.volume, options.storage);
     input.document = openDocument(session, options.input, std::move(scan), *input.context);
     readFromDocument(input, options);
     if (options.volume.path.empty()) {

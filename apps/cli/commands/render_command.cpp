@@ -55,8 +55,9 @@ void runRender(const RenderOptions& options) {
     if (!options.function.empty()) {
         function = render::transferFunctionFromArgument(options.function);
     }
-    auto scan = loadScan(*options.volume, options.storage);
+    // First: how much is worked on follows what its device has.
     const auto context = gl::Context::createHeadless();
+    auto scan = loadScan(*options.volume, options.storage);
     const auto opened = documentOf(std::move(scan));
     studio::Document& document = *opened;
     studio::View view = document.view();

@@ -196,9 +196,10 @@ void runSession(const RunOptions& options) {
     const auto last = options.picture.empty() ? std::nullopt : std::optional(lastPicture(options));
     const std::filesystem::path folder = options.output;
     const Timer loading;
+    // First: how much is worked on follows what its device has.
+    const auto context = gl::Context::createHeadless();
     auto [volume, finer, notices, used] =
         loadSessionScan(session, options.session, options.volume, options.storage);
-    const auto context = gl::Context::createHeadless();
     const std::string volumeName = volume.name;
     const bool cutsFinest = finer && finer->areFinerThan(volume);
     const auto document = options.fromState

@@ -59,8 +59,9 @@ struct SessionFigures {
 
 SessionFigures measureSession(const StatsOptions& options) {
     studio::Session session = studio::loadSession(options.labels);
-    SessionScan scan = loadSessionScan(session, options.labels, options.volume, {});
+    // First: how much is worked on follows what its device has.
     const auto context = gl::Context::createHeadless();
+    SessionScan scan = loadSessionScan(session, options.labels, options.volume, {});
     const auto opened = openDocument(session, options.labels, std::move(scan), context);
     const studio::Document& document = *opened;
     const auto& infos = document.segments().segments;

@@ -29,6 +29,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
     addTheme(form);
     addLanguage(form);
     addUndo(form);
+    addScans(form);
     addRecordings(form);
     addQuality(form);
     addSlices(form);
@@ -89,6 +90,37 @@ void PreferencesDialog::addUndo(QFormLayout* form) {
         tell();
     });
     form->addRow(tr("Memory for undo"), memory);
+}
+
+QSpinBox* PreferencesDialog::makeAmount(const char* objectName, const QString& label,
+                                        int Preferences::*megabytes) {
+    auto* amount = named(new QSpinBox, objectName, label);
+    amount->setRange(0, 1 << 20);
+    amount->setSingleStep(256);
+    amount->setSuffix(tr(" MB"));
+    amount->setSpecialValueText(tr("Automatic"));
+    amount->setKeyboardTracking(false);
+    amount->setButtonSymbols(QAbstractSpinBox::NoButtons); // wheel and arrow keys do
+    amount->setValue(preferences_.*megabytes);
+    connect(amount, &QSpinBox::valueChanged, this, [this, megabytes](int chosen) {
+        preferences_.*megabytes = chosen;
+        tell();
+    });
+    return amount;
+}
+
+void PreferencesDialog::addScans(QFormLayout* form) {
+    const QString onDevice = tr("Graphics memory for scans");
+    auto* device = makeAmount("deviceMemory", onDevice, &Preferences::deviceMegabytes);
+    device->setToolTip(tr("What scans and edits may take on the graphics device, from the next scan that is "
+                          "opened on. Larger ones are worked on at a coarser level"));
+    const QString onHost = tr("Memory for large scans");
+    auto* host = makeAmount("hostMemory", onHost, &Preferences::hostMegabytes);
+    host->setToolTip(
+        tr("What parts of large scans that were read, and growth in them, may take, from the next "
+           "scan that is opened on"));
+    form->addRow(onDevice, device);
+    form->addRow(onHost, host);
 }
 
 void PreferencesDialog::addRecordings(QFormLayout* form) {

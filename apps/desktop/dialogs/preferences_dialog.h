@@ -6,6 +6,7 @@
 #include <QDialog>
 
 class QFormLayout;
+class QSpinBox;
 
 namespace vs::desktop {
 
@@ -24,9 +25,12 @@ private:
     void addTheme(QFormLayout* form);
     void addLanguage(QFormLayout* form);
     void addUndo(QFormLayout* form);
+    void addScans(QFormLayout* form);
     void addRecordings(QFormLayout* form);
     void addQuality(QFormLayout* form);
     void addSlices(QFormLayout* form);
+    // For megabytes that a person may leave to the program.
+    QSpinBox* makeAmount(const char* objectName, const QString& label, int Preferences::*megabytes);
     void tell() { emit changed(preferences_); }
 
     Preferences preferences_;

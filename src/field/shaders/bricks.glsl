@@ -126,17 +126,26 @@ float fetchedLevelValueAt(vec3 q) {
 // What was cut away at the finest level, as it lies over the bricks of this one.
 layout(binding = kBrickCutsTexture) uniform sampler3D brickCuts;
 
+float cutOrScenes(vec3 q, float cut, bool isAway) {
+    while (isAway) {
+        vec3 p = (q - levelOrigin.xyz) / levelScale.xyz;
+        cut = textureLod(sculptureTexture, textureFromVoxel(p), 0.0).r;
+        isAway = false;
+    }
+    return cut;
+}
+
 float levelSculptureAt(vec3 q) {
     vec3 slot;
     vec3 inBrick;
     bool isAway = !findInPool(q, slot, inBrick);
-    float value = inPool(brickCuts, slot, inBrick);
-    while (isAway) {
-        vec3 p = (q - levelOrigin.xyz) / levelScale.xyz;
-        value = textureLod(sculptureTexture, textureFromVoxel(p), 0.0).r;
-        isAway = false;
-    }
-    return value;
+    return cutOrScenes(q, inPool(brickCuts, slot, inBrick), isAway);
+}
+float fetchedLevelSculptureAt(vec3 q) {
+    vec3 slot;
+    vec3 inBrick;
+    bool isAway = !findInPool(q, slot, inBrick);
+    return cutOrScenes(q, fetchedInPool(brickCuts, slot, inBrick), isAway);
 }
 #endif
 

@@ -14,3 +14,11 @@ float fetchedBetween(sampler3D texels, ivec3 first, ivec3 next, vec3 f) {
     vec2 rows = mix(planes.xy, planes.zw, f.y);
     return mix(rows.x, rows.y, f.x);
 }
+
+// At a place in the voxel space of a grid that has all of a texture; beyond it, what is at its border.
+float fetchedOfAll(sampler3D texels, vec3 q, ivec3 size) {
+    ivec3 last = size - 1;
+    vec3 inside = clamp(q, vec3(0.0), vec3(last));
+    ivec3 first = ivec3(inside);
+    return fetchedBetween(texels, first, min(first + 1, last), inside - vec3(first));
+}

@@ -105,16 +105,12 @@ float storedAt(vec3 q) { return ofQuads(quads, q); }
 float fetchedAt(vec3 q) { return ofQuads(quads, q); }
 #elif !defined(BRICKS)
 float storedAt(vec3 q) { return textureLod(dataTexture, textureFromVoxel(q), 0.0).r; }
-float fetchedAt(vec3 q) {
-    ivec3 last = dims.xyz - 1;
-    vec3 inside = clamp(q, vec3(0.0), vec3(last));
-    ivec3 first = ivec3(inside);
-    return fetchedBetween(dataTexture, first, min(first + 1, last), inside - vec3(first));
-}
+float fetchedAt(vec3 q) { return fetchedOfAll(dataTexture, q, dims.xyz); }
 #endif
 
 #ifdef TRICUBIC
 #include "field/shaders/tricubic.glsl"
+float exactDataAt(vec3 p) { return dataAt(p); }
 #else
 float dataAt(vec3 p) { return storedAt(sampledFromVoxel(p)) * storedScale().x + storedScale().y; }
 // The same value wherever in a texture it is kept, for where it is close to one that decides something.
@@ -136,8 +132,10 @@ float voxelValue(ivec3 v) {
 
 #ifdef FINER_CUTS
 float sculptureAt(vec3 p) { return levelSculptureAt(sampledFromVoxel(p)); }
+float exactSculptureAt(vec3 p) { return fetchedLevelSculptureAt(sampledFromVoxel(p)); }
 #else
 float sculptureAt(vec3 p) { return textureLod(sculptureTexture, textureFromVoxel(p), 0.0).r; }
+float exactSculptureAt(vec3 p) { return fetchedOfAll(sculptureTexture, p, dims.xyz); }
 #endif
 
 #ifdef PULLED

@@ -55,27 +55,11 @@ float contentAt(vec3 p) {
 #endif
 }
 
-// How much less than zero may be found where it is zero: values are rounded, and so are places in a texture,
-// by some 1e-4 of a texel where its unit has floats. Those that know 256 places from one texel to the next
-// may be off by more.
-#ifdef LOOKS_AGAIN
-float slack() { return 32.0 * max(valueScale.w, limits.w) / rangeWidth() + 1e-4; }
-float exactContentAt(vec3 p) {
-#if CONTENT == 0
-    return partInside(exactDataAt(p));
-#else
-    return max(dataShownAs(p, exactDataAt(p)), segmentationAt(p) - 0.5);
-#endif
-}
-#else
-float slack() { return 0.0; }
-#endif
-
 // >= 0 on the visible side of the sculpture.
-float sideAt(vec3 p) {
+float sideAs(vec3 p, float sculpture) {
     float side = 1e30;
 #ifdef SCULPTED
-    side = visibleSide(sculptureAt(p));
+    side = visibleSide(sculpture);
 #endif
 #ifdef WITHIN_SEGMENTS
     vec2 memberships = membershipsAt(p);
@@ -83,6 +67,37 @@ float sideAt(vec3 p) {
 #endif
     return side;
 }
+#ifdef SCULPTED
+float sideAt(vec3 p) { return sideAs(p, sculptureAt(p)); }
+float exactSideAt(vec3 p) { return sideAs(p, exactSculptureAt(p)); }
+#else
+float sideAt(vec3 p) { return sideAs(p, 0.0); }
+float exactSideAt(vec3 p) { return sideAs(p, 0.0); }
+#endif
+
+// Both as they are wherever in textures the values are kept (x content, y side): for where they are closer to
+// zero than slack(), or decide where a surface lies. Values are rounded, and so are places in a texture, by
+// some 1e-4 of a texel where its unit has floats. Those that know 256 places from one texel to the next may
+// be off by more.
+#ifdef LOOKS_AGAIN
+float exactContentAt(vec3 p) {
+#if CONTENT == 0
+    return partInside(exactDataAt(p));
+#else
+    return max(dataShownAs(p, exactDataAt(p)), segmentationAt(p) - 0.5);
+#endif
+}
+#ifdef FINER_CUTS
+const float kSideSlack = 8e-3; // cuts lie in the bricks' slots: about 1/256 of a texel along three axes
+#else
+const float kSideSlack = 1e-4;
+#endif
+vec2 slack() { return vec2(32.0 * max(valueScale.w, limits.w) / rangeWidth() + 1e-4, kSideSlack); }
+#else
+float exactContentAt(vec3 p) { return contentAt(p); }
+vec2 slack() { return vec2(0.0); }
+#endif
+vec2 exactPartsAt(vec3 p) { return vec2(exactContentAt(p), exactSideAt(p)); }
 
 // >= 0 where something is visible.
 float visibility(vec3 p) { return min(contentAt(p), sideAt(p)); }

@@ -26,12 +26,15 @@ struct Hit {
 // Between two places of which neither is visible, content may begin before the visible side ends, or the side
 // begin before the content ends: a sliver thinner than a step, along the edge of a cut. Where it is, as a
 // part of the way; -1: nowhere. x content, y side, as in contentAt and sideAt, taken as linear between the
-// places.
-float sliverBetween(vec2 before, vec2 after) {
+// places, and so far off at the most.
+float sliverBetween(vec2 before, vec2 after, vec2 off) {
     vec2 crossing = before / (before - after);
-    bool contentBegins = before.x < 0.0 && after.x >= 0.0 && before.y >= 0.0 && after.y < 0.0;
-    bool sideBegins = before.x >= 0.0 && after.x < 0.0 && before.y < 0.0 && after.y >= 0.0;
-    bool isThere = (contentBegins && crossing.x <= crossing.y) || (sideBegins && crossing.y <= crossing.x);
+    vec2 offThere = off / abs(before - after);
+    bool contentBegins = before.x < 0.0 && after.x >= -off.x && before.y >= -off.y && after.y < 0.0;
+    bool sideBegins = before.x >= -off.x && after.x < 0.0 && before.y < 0.0 && after.y >= -off.y;
+    float late = crossing.x - crossing.y;
+    float most = offThere.x + offThere.y;
+    bool isThere = (contentBegins && late <= most) || (sideBegins && -late <= most);
     return isThere ? 0.5 * (crossing.x + crossing.y) : -1.0;
 }
 #endif
@@ -46,55 +49,55 @@ struct Crossing {
 
 const int kBatch = 8; // samples a turn: on a software renderer the turn itself costs as much as four of them
 
-// Looks at the samples of one turn, from crossing.t on, and moves t to the first that is visible or past them
-// all. `last` is the visibility's parts (content, side) at the sample before them.
+// Looks at the samples of one turn, from crossing.t on, and moves t to the first that is visible, or past
+// those that are not. `last` is the visibility's parts (content, side) at the sample before them.
 void testBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
     float first = float(kBatch);
+    vec2 found = vec2(-1.0);
+    bool isBehindSliver = false;
 #ifdef SCULPTED
     vec2 before = last;
-    float sliver = -1.0;
-    float sliverSample = 0.0;
     for (int i = 0; i < kBatch; ++i) {
         vec3 p = at(ray, crossing.t + float(i) * kDt);
         vec2 here = vec2(contentAt(p), sideAt(p));
-        float between = sliverBetween(before, here);
-        bool isOpen = first == float(kBatch) && sliver < 0.0;
-        sliverSample = isOpen ? float(i) - 1.0 + between : sliverSample;
-        sliver = isOpen ? between : sliver;
-        bool isFirst = first == float(kBatch) && min(here.x, here.y) >= -slack();
+        bool mayHoldSliver = sliverBetween(before, here, slack()) >= 0.0;
+        bool mayBeSeen = all(greaterThanEqual(here, -slack()));
+        bool isFirst = first == float(kBatch) && (mayBeSeen || mayHoldSliver);
         first = isFirst ? float(i) : first;
-        crossing.value = isFirst ? min(here.x, here.y) : crossing.value;
+        found = isFirst ? here : found;
+        isBehindSliver = isFirst ? mayHoldSliver : isBehindSliver;
         before = here;
     }
     last = before;
-    float inSliver = visibility(at(ray, crossing.t + sliverSample * kDt));
-    bool isInSliver = sliver >= 0.0 && inSliver >= 0.0;
-    first = isInSliver ? sliverSample : first;
-    crossing.value = isInSliver ? inSliver : crossing.value;
-    bool isSample = !isInSliver;
 #else
-    bool isSample = true;
     for (int i = kBatch - 1; i >= 0; --i) {
         vec3 p = at(ray, crossing.t + float(i) * kDt);
-        float value = min(contentAt(p), sideAt(p));
-        first = value >= -slack() ? float(i) : first;
-        crossing.value = value >= -slack() ? value : crossing.value;
+        vec2 here = vec2(contentAt(p), sideAt(p));
+        bool mayBeSeen = all(greaterThanEqual(here, -slack()));
+        first = mayBeSeen ? float(i) : first;
+        found = mayBeSeen ? here : found;
     }
 #endif
     crossing.t += first * kDt;
-#ifdef LOOKS_AGAIN
+    crossing.value = min(found.x, found.y);
     // Whether a ray that grazes a surface meets it must not hang on where in a texture the values are kept.
-    bool isClose = isSample && first < float(kBatch) && abs(crossing.value) <= slack();
+    bool isClose = first < float(kBatch) && (isBehindSliver || any(lessThanEqual(abs(found), slack())));
     while (isClose) {
-        vec3 p = at(ray, crossing.t);
-        vec2 here = vec2(exactContentAt(p), sideAt(p));
+        vec2 here = exactPartsAt(at(ray, crossing.t));
         crossing.value = min(here.x, here.y);
         bool isPassed = crossing.value < 0.0;
         last = isPassed ? here : last;
-        crossing.t += isPassed ? kDt : 0.0;
+        float further = isPassed ? 1.0 : 0.0;
+#ifdef SCULPTED
+        float sliver = sliverBetween(exactPartsAt(at(ray, crossing.t - kDt)), here, vec2(0.0));
+        vec2 inSliver = exactPartsAt(at(ray, crossing.t + (sliver - 1.0) * kDt));
+        bool isInSliver = isBehindSliver && sliver >= 0.0 && min(inSliver.x, inSliver.y) >= 0.0;
+        crossing.value = isInSliver ? min(inSliver.x, inSliver.y) : crossing.value;
+        further = isInSliver ? sliver - 1.0 : further;
+#endif
+        crossing.t += further * kDt;
         isClose = false;
     }
-#endif
 }
 
 // Looks at every sample that may be visible; shading comes after it. Loops end with their condition: a
@@ -136,17 +139,17 @@ struct Obstacle {
 // Content and side at p as far as they are in the way there.
 vec2 partsAt(vec3 p, bool isAbove) {
 #if CONTENT == 0
-    float value = dataAt(p);
-    return vec2(isAbove ? limits.x - value + limits.w : value - range.x + valueScale.w, sideAt(p));
+    float value = exactDataAt(p);
+    return vec2(isAbove ? limits.x - value + limits.w : value - range.x + valueScale.w, exactSideAt(p));
 #else
-    return vec2(contentAt(p), sideAt(p));
+    return exactPartsAt(p);
 #endif
 }
 
 Obstacle obstacleAt(vec3 p) {
     Obstacle obstacle;
 #if CONTENT == 0 || CONTENT == 2
-    obstacle.isAbove = dataAt(p) > limits.x;
+    obstacle.isAbove = exactDataAt(p) > limits.x;
 #else
     obstacle.isAbove = false;
 #endif

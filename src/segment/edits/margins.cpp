@@ -8,7 +8,6 @@
 #include <cmath>
 
 namespace vs::segment {
-namespace {
 
 void checkDistance(const volume::GridGeometry& geometry, double mm) {
     if (!(mm >= 0 && mm <= geometry.diagonalMm())) {
@@ -18,6 +17,8 @@ void checkDistance(const volume::GridGeometry& geometry, double mm) {
             mm, std::floor(geometry.diagonalMm()));
     }
 }
+
+namespace {
 
 Box3 padded(const Box3& box, glm::ivec3 voxels) { return {box.lo - voxels, box.hi + voxels}; }
 

@@ -10,6 +10,9 @@ namespace vs::segment {
 // Outside the grid nothing is in a set, and results are clipped to the grid. All throw Error when a distance
 // is not a number, larger than the volume's diagonal or, except for changeMargin, negative.
 
+// Throws that Error.
+void checkDistance(const volume::GridGeometry& geometry, double mm);
+
 // Grown (mm > 0): all voxels at most `mm` away from one of the set. Shrunk (mm < 0): what is not in the set
 // grows instead, so what remains is more than -mm away from everything outside.
 VoxelSet changeMargin(const VoxelSet& set, const volume::GridGeometry& geometry, double mm);

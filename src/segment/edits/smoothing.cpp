@@ -27,18 +27,28 @@ std::vector<float> gaussian(double sigmaVoxels) {
 
 } // namespace
 
-VoxelSet smooth(const VoxelSet& set, const volume::GridGeometry& geometry, double mm) {
+void checkSmoothing(const volume::GridGeometry& geometry, double mm) {
     const auto spacing = geometry.spacing();
     const double largestMm = 100 * std::max({spacing.x, spacing.y, spacing.z});
     if (!(mm >= 0 && mm <= largestMm)) {
         throw Error("smoothing by {} mm is not possible here; it must lie between 0 and {:.4g} mm", mm,
                     largestMm);
     }
+}
+
+glm::ivec3 smoothingReach(const volume::GridGeometry& geometry, double mm) {
+    return glm::ivec3(glm::ceil(3.0 * mm / geometry.spacing()));
+}
+
+VoxelSet smooth(const VoxelSet& set, const volume::GridGeometry& geometry, double mm) {
+    checkSmoothing(geometry, mm);
     const Box3 tight = set.tightBox();
     if (tight.isEmpty()) {
         return {};
     }
-    const glm::ivec3 padding(glm::ceil(3.0 * mm / spacing));
+    const auto spacing = geometry.spacing();
+    // The outermost layer stays empty: it is what goes on beyond the box.
+    const glm::ivec3 padding = smoothingReach(geometry, mm) + 1;
     VoxelSet result = set.within(vs::intersect(Box3{tight.lo - padding, tight.hi + padding}, geometry.box()));
     const auto blur = [&](std::vector<float>& values) {
         for (int axis = 0; axis < 3; ++axis) {

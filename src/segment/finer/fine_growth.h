@@ -2,6 +2,7 @@
 #pragma once
 
 #include "segment/finer/fine_front.h"
+#include "segment/finer/fine_set.h"
 #include "segment/finer/tile_lists.h"
 #include "segment/growth/growth.h"
 #include "segment/growth/host_spread.h"
@@ -65,6 +66,9 @@ public:
         CellBits given{};
     };
     void edit(std::span<const BrickEdit> edits, FineUndo* undo = nullptr);
+    // Makes the segment at work a set, and adds a set to it or takes it away; what others have stays theirs.
+    void replace(const FineSet& set, FineUndo* undo = nullptr);
+    void paint(const FineSet& set, bool isToAdd, FineUndo* undo = nullptr);
 
     void undo(const FineUndo& undo);
 
@@ -72,6 +76,10 @@ public:
     // in mm; places without such a voxel give none.
     [[nodiscard]] std::vector<glm::ivec3> nearestAdmitted(const std::vector<glm::dvec3>& places,
                                                           const Constraints& constraints) const;
+
+    // The voxels that a segment is shown with; and those of a set that hold a value in a range.
+    [[nodiscard]] FineSet voxels(std::uint8_t label) const;
+    [[nodiscard]] FineSet inRange(const FineSet& set, const Range& range) const;
 
     [[nodiscard]] glm::ivec3 dims() const { return values_->field().geometry.dims; }
     [[nodiscard]] std::uint8_t label() const { return label_; }

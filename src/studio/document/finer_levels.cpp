@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "gl/limits.h"
 #include "studio/document/document.h"
 #include "volume/reading/read_volume.h"
 #include "volume/reading/store_bricks.h"
@@ -112,10 +113,16 @@ std::optional<FinerLevels> finerLevels(FinerLevels finer, const volume::Volume& 
 
 } // namespace
 
+MemoryBudgets MemoryBudgets::orElse(const MemoryBudgets& other) const {
+    return {deviceBytes > 0 ? deviceBytes : other.deviceBytes, hostBytes > 0 ? hostBytes : other.hostBytes,
+            isDeviceChosen || (deviceBytes == 0 && other.isDeviceChosen)};
+}
+
 MemoryBudgets MemoryBudgets::filledIn() const {
     const std::size_t memory = machineMemory();
-    return {deviceBytes > 0 ? deviceBytes : memory / 2, hostBytes > 0 ? hostBytes : memory / 4,
-            isDeviceChosen || deviceBytes > 0};
+    const std::size_t onDevice = gl::deviceMemoryBytes();
+    return MemoryBudgets{deviceBytes, hostBytes, isDeviceChosen || deviceBytes > 0}.orElse(
+        {onDevice > 0 ? onDevice / 4 * 3 : memory / 2, memory / 4, false});
 }
 
 std::size_t memoryOf(const std::string& text, const std::string& what) {

@@ -29,8 +29,11 @@ struct MemoryBudgets {
     std::size_t hostBytes = 0;
     bool isDeviceChosen = false; // somebody said how much the device has
 
-    // With what this machine has instead of zeros: half of its memory for what a software renderer calls its
-    // device, a quarter for the host.
+    // With another's instead of zeros.
+    [[nodiscard]] MemoryBudgets orElse(const MemoryBudgets& other) const;
+    // With what this machine has instead of zeros: three quarters of the memory of the device that pictures
+    // are made on, or half of the machine's where that has none of its own; a quarter of the machine's for
+    // the host.
     [[nodiscard]] MemoryBudgets filledIn() const;
 };
 

@@ -245,17 +245,33 @@ segment::VoxelSet CutEditor::takeBackAndTell(sculpt::SculptureDelta& delta,
     return set;
 }
 
-segment::VoxelSet CutEditor::wouldCut(const BrushSegment& op) {
+// Likewise, of the finest level.
+segment::FineSet CutEditor::takeBackAndTellFinest(sculpt::SculptureDelta& delta) {
+    const sculpt::FineSculpture& finer = *contents_.sculpture.finer();
+    segment::FineSet set(finer.dims());
+    const auto after = finer.reader(); // both stay as they are
+    std::vector<std::uint32_t> places;
+    for (const auto& [place, brick] : delta.finer.bricks) {
+        places.push_back(std::uint32_t(place));
+    }
+    contents_.sculpture.swap(delta);
+    const auto before = finer.reader();
+    for (const std::uint32_t place : places) {
+        const Box3 box = set.boxOf(place);
+        const std::vector<float> valuesBefore = before(box);
+        const std::vector<float> valuesAfter = after(box);
+        std::vector<std::uint8_t> isCut(valuesAfter.size());
+        std::transform(valuesBefore.begin(), valuesBefore.end(), valuesAfter.begin(), isCut.begin(),
+                       [](float was, float is) { return std::uint8_t(was < 0.5F && is >= 0.5F ? 1 : 0); });
+        set.add(box, box, isCut);
+    }
+    return set;
+}
+
+template <typename Tell>
+auto CutEditor::cutAndTakeBack(const BrushSegment& op, Tell takeBackAndTell) {
     const std::uint64_t content = contents_.sculpture.contentVersion();
-    std::optional<Range> seen;
-    std::visit(
-        [&](const auto& drawn) {
-            if (op.isToAdd) {
-                seen = drawn.canvas->view.visibleRange(contents_.scan.volume.range);
-            }
-            open(cutter_, drawn);
-        },
-        op.stroke);
+    std::visit([&](const auto& drawn) { open(cutter_, drawn); }, op.stroke);
     sculpt::SculptureDelta delta;
     try {
         stroke_->replay();
@@ -267,7 +283,7 @@ segment::VoxelSet CutEditor::wouldCut(const BrushSegment& op) {
     forget();
     const std::uint64_t cut = contents_.sculpture.version();
     try {
-        segment::VoxelSet set = delta.isEmpty() ? segment::VoxelSet() : takeBackAndTell(delta, seen);
+        auto set = takeBackAndTell(delta);
         contents_.sculpture.contentIsAsAt(content);
         return set;
     } catch (...) {
@@ -277,6 +293,31 @@ segment::VoxelSet CutEditor::wouldCut(const BrushSegment& op) {
         contents_.sculpture.contentIsAsAt(content);
         throw;
     }
+}
+
+segment::VoxelSet CutEditor::wouldCut(const BrushSegment& op) {
+    const std::optional<Range> seen = seenBy(op);
+    return cutAndTakeBack(op, [&](sculpt::SculptureDelta& delta) {
+        return delta.isEmpty() ? segment::VoxelSet() : takeBackAndTell(delta, seen);
+    });
+}
+
+segment::FineSet CutEditor::wouldCutFinest(const BrushSegment& op) {
+    const segment::FineSet set = cutAndTakeBack(op, [&](sculpt::SculptureDelta& delta) {
+        return delta.isEmpty() ? segment::FineSet(contents_.region.finestGrid().dims)
+                               : takeBackAndTellFinest(delta);
+    });
+    const std::optional<Range> seen = seenBy(op);
+    return seen ? contents_.region.finestInRange(set, *seen) : set;
+}
+
+std::optional<Range> CutEditor::seenBy(const BrushSegment& op) const {
+    return std::visit(
+        [&](const auto& drawn) {
+            return op.isToAdd ? std::optional(drawn.canvas->view.visibleRange(contents_.scan.volume.range))
+                              : std::nullopt;
+        },
+        op.stroke);
 }
 
 sculpt::SculptureDelta CutEditor::cutBy(const segment::VoxelSet& set, const CutSegment& op,

@@ -54,6 +54,8 @@ public:
     // The voxels that a stroke would cut, and for adding only those that the view shows: the sculpture is
     // left as it was.
     segment::VoxelSet wouldCut(const BrushSegment& op);
+    // Does that for voxels of the finest level, where segments grow at that one.
+    segment::FineSet wouldCutFinest(const BrushSegment& op);
 
 private:
     template <typename Cut>
@@ -62,6 +64,12 @@ private:
     void open(Cutter& cutter, const Operation& operation); // a stroke without limits
     void forget();                                         // the stroke
     segment::VoxelSet takeBackAndTell(sculpt::SculptureDelta& delta, const std::optional<Range>& seen);
+    segment::FineSet takeBackAndTellFinest(sculpt::SculptureDelta& delta);
+    // The range that what a brush adds must lie in.
+    [[nodiscard]] std::optional<Range> seenBy(const BrushSegment& op) const;
+    // Cuts along a brush's stroke; takeBackAndTell(delta) puts the sculpture back and gives what is returned.
+    template <typename Tell>
+    auto cutAndTakeBack(const BrushSegment& op, Tell takeBackAndTell);
     // Remembers a cut that has been made as a step, with what it does to what is trimmed. If there is no
     // memory for that, it throws, and whoever made the cut must take it back.
     void remember(const Operation& operation, sculpt::SculptureDelta& cut, bool isLimited);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/editing/segment_shape_editor.h"
 
+#include "segment/edits/fine_islands.h"
+#include "segment/edits/fine_shapes.h"
 #include "segment/edits/islands.h"
 #include "segment/edits/margins.h"
 #include "segment/edits/set_algebra.h"
@@ -19,13 +21,16 @@ bool needsOther(Kind kind) {
     return kind == Kind::Unite || kind == Kind::Subtract || kind == Kind::Intersect;
 }
 
-segment::VoxelSet edited(const EditSegment& op, const segment::VoxelSet& set, const segment::VoxelSet& other,
-                         const volume::GridGeometry& geometry, segment::Connectivity connectivity) {
+// What an edit makes of a set of voxels of a grid. `onIsland`: the voxel that islands are named by, and of a
+// level that is finer than the scene's how far from it they may lie.
+template <typename Set, typename... OnIsland>
+Set edited(const EditSegment& op, const Set& set, const Set& other, const volume::GridGeometry& geometry,
+           segment::Connectivity connectivity, glm::ivec3 onIsland, OnIsland... reach) {
     switch (op.kind) {
     case Kind::KeepIsland:
-        return segment::keepIsland(set, *op.voxel, connectivity);
+        return segment::keepIsland(set, onIsland, connectivity, reach...);
     case Kind::DropIsland:
-        return segment::dropIsland(set, *op.voxel, connectivity);
+        return segment::dropIsland(set, onIsland, connectivity, reach...);
     case Kind::KeepLargest:
         return segment::keepLargestIsland(set, connectivity);
     case Kind::DropSmall:
@@ -57,7 +62,8 @@ segment::VoxelSet edited(const EditSegment& op, const segment::VoxelSet& set, co
 
 // --- edits
 
-segment::VoxelSet SegmentShapeEditor::takeOther(const EditSegment& op, Region::Records& records) {
+template <typename Take>
+auto SegmentShapeEditor::takeOther(const EditSegment& op, Region::Records& records, Take take) {
     const std::uint8_t atWork = contents_.segments.atWork;
     const SegmentInfo* other = contents_.segments.find(op.other);
     if (other == nullptr || other->label == atWork) {
@@ -66,7 +72,7 @@ segment::VoxelSet SegmentShapeEditor::takeOther(const EditSegment& op, Region::R
     if (op.kind == Kind::Unite && other->isLocked) {
         throw Error("the segment '{}' is locked; unlock it first", op.other);
     }
-    segment::VoxelSet set = contents_.region.voxels(other->label, records);
+    auto set = take(other->label);
     if (op.kind == Kind::Unite) {
         contents_.region.workOn(other->label, records);
         contents_.region.clear(records);
@@ -77,15 +83,35 @@ segment::VoxelSet SegmentShapeEditor::takeOther(const EditSegment& op, Region::R
 
 void SegmentShapeEditor::perform(const EditSegment& op, Region::Records& records) {
     workUnlocked(contents_, records);
-    const segment::VoxelSet other = needsOther(op.kind) ? takeOther(op, records) : segment::VoxelSet();
-    const segment::VoxelSet set = contents_.region.voxels(contents_.segments.atWork, records);
-    contents_.region.replace(
-        edited(op, set, other, contents_.scan.volume.geometry, contents_.region.rules().connectivity),
-        records);
+    if (contents_.region.isFiner()) {
+        performFinest(op, records);
+        return;
+    }
+    const auto take = [&](std::uint8_t label) { return contents_.region.voxels(label, records); };
+    const segment::VoxelSet other = needsOther(op.kind) ? takeOther(op, records, take) : segment::VoxelSet();
+    const segment::VoxelSet set = take(contents_.segments.atWork);
+    contents_.region.replace(edited(op, set, other, contents_.scan.volume.geometry,
+                                    contents_.region.rules().connectivity, op.voxel.value_or(glm::ivec3(0))),
+                             records);
+}
+
+void SegmentShapeEditor::performFinest(const EditSegment& op, Region::Records& records) {
+    const auto take = [&](std::uint8_t label) { return contents_.region.finestVoxels(label); };
+    const field::BrickGrid& grid = contents_.region.finestGrid();
+    const segment::FineSet other =
+        needsOther(op.kind) ? takeOther(op, records, take) : segment::FineSet(grid.dims);
+    const segment::FineSet set = take(contents_.segments.atWork);
+    const glm::dvec3 place = glm::dvec3(op.voxel.value_or(glm::ivec3(0))) * grid.perSceneVoxel + grid.origin;
+    const glm::ivec3 reach(glm::ceil(double(segment::kIslandReach) * grid.perSceneVoxel));
+    contents_.region.replace(edited(op, set, other, contents_.region.geometry(),
+                                    contents_.region.rules().connectivity, glm::ivec3(glm::round(place)),
+                                    reach),
+                             records);
 }
 
 Outcome SegmentShapeEditor::run(EditSegment& op) {
-    if (!contents_.region.exists() || contents_.region.growth()->voxelCount(contents_.segments.atWork) == 0) {
+    const std::size_t before = contents_.region.voxelCount(contents_.segments.atWork);
+    if (before == 0) {
         if (op.kind != Kind::Unite) {
             throw Error("the segment '{}' is empty; there is nothing to edit",
                         contents_.segments.working().name);
@@ -104,8 +130,6 @@ Outcome SegmentShapeEditor::run(EditSegment& op) {
         }
         op.voxel = glm::ivec3(glm::round(glm::vec3(points.front().voxel)));
     }
-    const std::size_t before =
-        contents_.region.exists() ? contents_.region.growth()->voxelCount(contents_.segments.atWork) : 0;
     changeSegments(contents_, *this, op);
     const std::size_t now = contents_.grownVoxels();
     return {{},
@@ -116,6 +140,10 @@ Outcome SegmentShapeEditor::run(EditSegment& op) {
 
 void SegmentShapeEditor::perform(const BrushSegment& op, Region::Records& records) {
     workUnlocked(contents_, records);
+    if (contents_.region.isFiner()) {
+        contents_.region.paint(cuts_.wouldCutFinest(op), op.isToAdd, records);
+        return;
+    }
     const segment::VoxelSet brush = cuts_.wouldCut(op);
     const segment::VoxelSet set = contents_.region.voxels(contents_.segments.atWork, records);
     contents_.region.replace(op.isToAdd ? segment::unite(set, brush) : segment::subtract(set, brush),
@@ -137,11 +165,23 @@ Outcome SegmentShapeEditor::run(BrushSegment& op) {
 
 void SegmentShapeEditor::perform(const PaintSegment& op, Region::Records& records) {
     workUnlocked(contents_, records);
-    contents_.region.paint(voxelsAlong(op.trail, contents_.scan.volume, op.range), op.isToAdd, records);
+    if (contents_.region.isFiner()) {
+        contents_.region.paint(finestUnder(op), op.isToAdd, records);
+    } else {
+        contents_.region.paint(voxelsAlong(op.trail, contents_.scan.volume, op.range), op.isToAdd, records);
+    }
+}
+
+segment::FineSet SegmentShapeEditor::finestUnder(const PaintSegment& op) {
+    segment::FineSet set = finestAlong(op.trail, contents_.region.finestGrid(), contents_.region.geometry());
+    return op.range ? contents_.region.finestInRange(set, *op.range) : set;
 }
 
 Outcome SegmentShapeEditor::run(PaintSegment& op) {
-    if (voxelsAlong(op.trail, contents_.scan.volume, op.range).count() == 0) {
+    const bool isAnyUnder = contents_.region.isFiner()
+                                ? !finestUnder(op).isEmpty()
+                                : voxelsAlong(op.trail, contents_.scan.volume, op.range).count() > 0;
+    if (!isAnyUnder) {
         return {{}, 0, 0, say(VS_TEXT("library", "nothing changed: no voxel lies under the brush"))};
     }
     const std::size_t before = contents_.grownVoxels();

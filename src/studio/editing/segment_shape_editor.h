@@ -27,8 +27,14 @@ public:
     void perform(const PaintSegment& op, Region::Records& records);
 
 private:
-    // The other segment that an edit takes; when it is united with the one at work, it is empty afterwards.
-    segment::VoxelSet takeOther(const EditSegment& op, Region::Records& records);
+    // The other segment that an edit takes, as take(its label) gives it; when it is united with the one at
+    // work, it is empty afterwards.
+    template <typename Take>
+    auto takeOther(const EditSegment& op, Region::Records& records, Take take);
+    // Where segments grow at the finest level: the edit of its voxels.
+    void performFinest(const EditSegment& op, Region::Records& records);
+    // The voxels of that level under a brush in the volume.
+    segment::FineSet finestUnder(const PaintSegment& op);
 
     Contents& contents_;
     Display& display_;

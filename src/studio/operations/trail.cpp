@@ -113,13 +113,8 @@ private:
     FilledRows rows_;
 };
 
-} // namespace
-
-segment::VoxelSet voxelsAlong(const Trail& trail, const volume::GridGeometry& geometry) {
-    const Box3 box = boxAround(trail, geometry);
-    if (box.isEmpty()) {
-        return {};
-    }
+// The voxels of a box under a trail.
+VoxelSet marked(const Trail& trail, const volume::GridGeometry& geometry, const Box3& box) {
     VoxelSet set = segment::emptySet(box);
     // A disc's points all lie in its slice.
     const auto point = [&](std::size_t n) {
@@ -133,7 +128,57 @@ segment::VoxelSet voxelsAlong(const Trail& trail, const volume::GridGeometry& ge
     for (std::size_t n = 0; n < trail.points.size(); ++n) {
         brush.go(point(n == 0 ? 0 : n - 1), point(n));
     }
-    return set.tight();
+    return set;
+}
+
+// The trail in a finer level's voxel space.
+Trail toldTo(Trail trail, const field::BrickGrid& grid) {
+    for (glm::dvec3& point : trail.points) {
+        point = point * grid.perSceneVoxel + grid.origin;
+    }
+    return trail;
+}
+
+// Adds what lies under a trail of the set's own grid, piece by piece.
+void addMarked(segment::FineSet& set, const Trail& trail, const volume::GridGeometry& geometry) {
+    constexpr int kSide = 128; // of a piece
+    const Box3 box = boxAround(trail, geometry);
+    if (box.isEmpty()) {
+        return;
+    }
+    forEachVoxel(Box3{box.lo / kSide, divideUp(box.hi, kSide)}, [&](glm::ivec3 at, std::size_t) {
+        const Box3 piece = intersect(box, {at * kSide, (at + 1) * kSide});
+        const VoxelSet part = marked(trail, geometry, piece);
+        set.add(part.box, part.box, part.inside);
+    });
+}
+
+} // namespace
+
+segment::VoxelSet voxelsAlong(const Trail& trail, const volume::GridGeometry& geometry) {
+    const Box3 box = boxAround(trail, geometry);
+    return box.isEmpty() ? VoxelSet() : marked(trail, geometry, box).tight();
+}
+
+segment::FineSet finestAlong(const Trail& trail, const field::BrickGrid& grid,
+                             const volume::GridGeometry& finer) {
+    segment::FineSet set(grid.dims);
+    Trail finest = toldTo(trail, grid);
+    if (!trail.axis) {
+        addMarked(set, finest, finer);
+        return set;
+    }
+    // The slice's layers: those whose centres lie in it.
+    const int axis = *trail.axis;
+    const double slice = std::floor(trail.points.front()[axis] + 0.5);
+    const auto inLevel = [&](double p) { return p * grid.perSceneVoxel[axis] + grid.origin[axis]; };
+    const double first = std::max(std::ceil(inLevel(slice - 0.5)), 0.0);
+    const double end = std::min(std::ceil(inLevel(slice + 0.5)), double(grid.dims[axis]));
+    for (double layer = first; layer < end; ++layer) {
+        finest.points.front()[axis] = layer;
+        addMarked(set, finest, finer);
+    }
+    return set;
 }
 
 segment::VoxelSet voxelsAlong(const Trail& trail, const volume::Volume& volume,

@@ -17,6 +17,14 @@ void edit(segment::FineGrowth& growth, const FinestRegion::Edits& edits, segment
 }
 void edit(segment::Growth&, const FinestRegion::Edits&, segment::GrowthUndo*) {}
 void forgetHidden(segment::FineGrowth& growth, segment::FineUndo* undo) { growth.forgetHidden(undo); }
+void replace(segment::FineGrowth& growth, const segment::FineSet& set, segment::FineUndo* undo) {
+    growth.replace(set, undo);
+}
+void replace(segment::Growth&, const segment::FineSet&, segment::GrowthUndo*) {}
+void paint(segment::FineGrowth& growth, const segment::FineSet& set, bool isToAdd, segment::FineUndo* undo) {
+    growth.paint(set, isToAdd, undo);
+}
+void paint(segment::Growth&, const segment::FineSet&, bool, segment::GrowthUndo*) {}
 void forgetHidden(segment::Growth&, segment::GrowthUndo*) {}
 
 } // namespace
@@ -253,6 +261,20 @@ void Region::paint(const segment::VoxelSet& set, bool isToAdd, Records& records)
     } else {
         madeGrowth().paint(set.box, set.inside, isToAdd, &records.emplace_back().scene);
     }
+}
+
+segment::FineSet Region::finestVoxels(std::uint8_t label) { return madeFinest().growth().voxels(label); }
+
+segment::FineSet Region::finestInRange(const segment::FineSet& set, const Range& range) {
+    return madeFinest().growth().inRange(set, range);
+}
+
+void Region::replace(const segment::FineSet& set, Records& records) {
+    change(records, [&](auto& growth, auto* undo) { studio::replace(growth, set, undo); });
+}
+
+void Region::paint(const segment::FineSet& set, bool isToAdd, Records& records) {
+    change(records, [&](auto& growth, auto* undo) { studio::paint(growth, set, isToAdd, undo); });
 }
 
 void Region::workOn(std::uint8_t label, Records& records) {

@@ -33,6 +33,8 @@ public:
     // are the finest level's.
     void refine(const FinestLevel& level) { finestLevel_ = level; }
     [[nodiscard]] bool isFiner() const { return finestLevel_.has_value(); }
+    // Its voxels in the scene's voxel space; where it is finer alone.
+    [[nodiscard]] const field::BrickGrid& finestGrid() const { return finestLevel_->grid; }
     // What has grown there; null: nothing yet, or segments are the scene's.
     [[nodiscard]] const segment::FineGrowth* finest() const {
         return growth_ && finest_ ? &finest_->growth() : nullptr;
@@ -79,6 +81,12 @@ public:
     void replace(const segment::VoxelSet& set, Records& records);
     // Adds a set to the segment at work, or takes it away.
     void paint(const segment::VoxelSet& set, bool isToAdd, Records& records);
+    // Where segments grow at the finest level: the voxels of that which a segment is shown with, those of a
+    // set that hold a value in a range, and what replace() and paint() do.
+    [[nodiscard]] segment::FineSet finestVoxels(std::uint8_t label);
+    [[nodiscard]] segment::FineSet finestInRange(const segment::FineSet& set, const Range& range);
+    void replace(const segment::FineSet& set, Records& records);
+    void paint(const segment::FineSet& set, bool isToAdd, Records& records);
     // Goes to work on a segment.
     void workOn(std::uint8_t label, Records& records);
     // Erases the segment at work.

@@ -118,7 +118,7 @@ void DocumentFiles::open(const OpenRequest& request) {
     host_.say(begun(request));
     host_.setOpening(DocumentHost::Opening::Reading);
     OpenRequest asked = request;
-    asked.budgets = budgets_;
+    asked.budgets = budgets_.orElse(preferred_);
     if (folders_ && (!request.session.empty() || !request.journal.empty())) {
         asked.folders = folders_();
     }

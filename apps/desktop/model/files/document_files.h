@@ -48,8 +48,9 @@ public:
     void searchIn(std::function<std::vector<std::filesystem::path>()> folders) {
         folders_ = std::move(folders);
     }
-    // What volumes and edits may take from now on.
+    // What volumes and edits may take from now on; and what they may where that says nothing.
     void limitMemory(const studio::MemoryBudgets& budgets) { budgets_ = budgets; }
+    void preferMemory(const studio::MemoryBudgets& budgets) { preferred_ = budgets; }
     // Returns at once; DocumentHost::opened() or openFailed() tells how it ended.
     void open(const OpenRequest& request);
     [[nodiscard]] const OpenRequest& source() const { return source_; }
@@ -92,6 +93,7 @@ private:
     DocumentHost& host_;
     VolumeLoader loader_;
     studio::MemoryBudgets budgets_;
+    studio::MemoryBudgets preferred_;
     OpenRequest source_;
     std::string checksum_;                 // of the volume
     std::size_t savedEdits_ = 0;           // edits in the log when it was last saved or opened

@@ -18,6 +18,8 @@ Preferences Preferences::load() {
                                               : Language::Desktop;
     preferences.undoMegabytes =
         std::clamp(settings.value("undoMegabytes", preferences.undoMegabytes).toInt(), 16, 1 << 20);
+    preferences.deviceMegabytes = std::clamp(settings.value("deviceMegabytes").toInt(), 0, 1 << 20);
+    preferences.hostMegabytes = std::clamp(settings.value("hostMegabytes").toInt(), 0, 1 << 20);
     preferences.recordings = settings.value("recordings").toString();
     preferences.smoothSampling = settings.value("smoothSampling").toBool();
     preferences.shadows = settings.value("shadows").toBool();
@@ -38,6 +40,8 @@ void Preferences::save() const {
                                   : language == Language::German ? "de"
                                                                  : "desktop");
     settings.setValue("undoMegabytes", undoMegabytes);
+    settings.setValue("deviceMegabytes", deviceMegabytes);
+    settings.setValue("hostMegabytes", hostMegabytes);
     settings.setValue("recordings", recordings);
     settings.setValue("smoothSampling", smoothSampling);
     settings.setValue("shadows", shadows);

@@ -16,9 +16,12 @@ struct Preferences {
     Theme theme = Theme::Dark;
     Language language = Language::Desktop; // from the next start on
     int undoMegabytes = 512;               // that undo keeps in memory; the rest is in a temporary file
-    QString recordings;                    // where dialogs that save begin; empty: where they like
-    bool smoothSampling = false;           // of volumes that are opened
-    bool shadows = false;                  // of volumes that are opened
+    // What scans and edits may take on the device, and bricks of large scans on the host; 0: what is usual.
+    int deviceMegabytes = 0;
+    int hostMegabytes = 0;
+    QString recordings;          // where dialogs that save begin; empty: where they like
+    bool smoothSampling = false; // of volumes that are opened
+    bool shadows = false;        // of volumes that are opened
     QString sliceWindow;         // of CT scans that are opened (render::kSliceWindows); empty: automatic
     bool tintsSlices = false;    // of volumes that are opened
     bool turntable = false;      // the head stays up while the volume is turned

@@ -17,6 +17,11 @@ namespace vs::desktop {
 namespace {
 constexpr double kPictureSliceMs = 8;
 constexpr int kCalmPollMs = 40; // until the picture may refine
+studio::MemoryBudgets budgetsOf(const Preferences& preferences) {
+    return {std::size_t(preferences.deviceMegabytes) << 20U, std::size_t(preferences.hostMegabytes) << 20U,
+            false};
+}
+
 } // namespace
 
 StudioController::StudioController()
@@ -37,6 +42,7 @@ StudioController::StudioController()
     connect(&editor_, &Editor::voxelsMoved, &camera_, &CameraMotion::fitAfterCorrection);
     camera_.setTurntable(preferences_.turntable);
     growth_->setLimitPercent(preferences_.firstStrokePercent);
+    files_->preferMemory(budgetsOf(preferences_));
 }
 
 StudioController::~StudioController() {
@@ -190,6 +196,7 @@ void StudioController::setPreferences(const Preferences& preferences) {
     const Preferences before = std::exchange(preferences_, preferences);
     camera_.setTurntable(preferences_.turntable);
     growth_->setLimitPercent(preferences_.firstStrokePercent);
+    files_->preferMemory(budgetsOf(preferences_));
     if (host_.document() != nullptr) {
         host_.document()->setUndoMemory(std::size_t(preferences_.undoMegabytes) << 20);
         if (!host_.isReplaying()) {

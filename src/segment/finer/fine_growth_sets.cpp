@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Segments at the finest level as sets of voxels: taken out, and put back in another shape.
+#include "segment/finer/fine_growth.h"
+#include "segment/growth/host_rules.h"
+#include "volume/grid/visit_type.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace vs::segment {
+
+namespace {
+
+// The edits that take voxels away from the segment at work and give it others.
+std::vector<FineGrowth::BrickEdit> editsOf(const FineSet& taken, const FineSet& given) {
+    std::map<std::uint32_t, FineGrowth::BrickEdit> edits;
+    for (const auto& [brick, bits] : taken.bricks()) {
+        edits[brick].taken = bits;
+    }
+    for (const auto& [brick, bits] : given.bricks()) {
+        edits[brick].given = bits;
+    }
+    std::vector<FineGrowth::BrickEdit> list;
+    list.reserve(edits.size());
+    for (auto& [brick, edit] : edits) {
+        edit.brick = brick;
+        list.push_back(edit);
+    }
+    return list;
+}
+
+} // namespace
+
+FineSet FineGrowth::voxels(std::uint8_t label) const {
+    FineSet set(dims());
+    const std::uint32_t last =
+        label == label_ ? std::uint32_t(run_.state.playhead) : std::numeric_limits<std::uint32_t>::max();
+    for (const auto& [brick, cells] : map_) {
+        if (!cells->holds(label, 0)) {
+            continue;
+        }
+        CellBits bits{};
+        cells->forEachGrown([&](std::size_t cell, std::uint32_t generation) {
+            if (generation <= last && cells->label(cell) == label) {
+                segment::set(bits, cell);
+            }
+        });
+        set.add(brick, bits);
+    }
+    return set;
+}
+
+void FineGrowth::replace(const FineSet& set, FineUndo* undo) {
+    const FineSet before = voxels(label_);
+    edit(editsOf(subtract(before, set), subtract(set, before)), undo);
+}
+
+void FineGrowth::paint(const FineSet& set, bool isToAdd, FineUndo* undo) {
+    const FineSet none(dims());
+    edit(isToAdd ? editsOf(none, set) : editsOf(set, none), undo);
+}
+
+FineSet FineGrowth::inRange(const FineSet& set, const Range& range) const {
+    FineSet result(dims());
+    Constraints constraints;
+    constraints.range = range;
+    volume::visitType(values_->type(), [&](const auto* none) {
+        const HostRules rules(none, glm::ivec3(1), values_->field(), constraints);
+        for (const auto& [brick, bits] : set.bricks()) {
+            const Box3 box = set.boxOf(brick);
+            const Box3 block = values_->blockBox(box.lo);
+            const auto values = values_->blockAround(box.lo);
+            const auto here = rules.of(reinterpret_cast<decltype(none)>(values->data()), block.size());
+            CellBits kept{};
+            forEachVoxel(box, [&](glm::ivec3 voxel, std::size_t) {
+                const std::size_t cell = cellOf(voxel - box.lo);
+                if (has(bits, cell) && here.admits(voxel - block.lo)) {
+                    segment::set(kept, cell);
+                }
+            });
+            result.add(brick, kept);
+        }
+    });
+    return result;
+}
+
+} // namespace vs::segment

@@ -16,7 +16,8 @@ namespace vs::field {
 // range contains.
 struct Field {
     gl::Texture texels;
-    gl::TexelBuffer quads; // on software renderers: the same again, for faster sampling
+    gl::TexelBuffer quads;    // on software renderers: the same again, for faster sampling
+    bool mayHaveQuads = true; // false: neither has anything that is derived from it, for want of memory
     volume::GridGeometry geometry;
     float valueScale = 1;
     float valueOffset = 0;

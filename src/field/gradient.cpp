@@ -120,7 +120,8 @@ GradientField computeGradients(const Field& field, double usual) {
     gl::Program program("field/shaders/count_gradients.comp", {{"COUNT", "3"}});
     count(program, field, {0, gradients.most}, {1, 1});
     gradients.cells = computeCellRanges(gradients.texels);
-    gradients.quads = makeQuads(field.geometry.dims, gl::Format::R16);
+    gradients.quads =
+        field.mayHaveQuads ? makeQuads(field.geometry.dims, gl::Format::R16) : gl::TexelBuffer();
     if (gradients.quads) {
         fillQuads(gradients.texels, gradients.quads);
         gradients.texels = {};

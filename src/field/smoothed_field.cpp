@@ -97,7 +97,8 @@ Field emptyLike(const Field& source, std::uint64_t serial) {
     out.serial = serial;
     const gl::Format format = source.isIntegral ? gl::Format::R16 : gl::Format::R32F;
     out.texels = gl::Texture(source.geometry.dims, format, gl::Filter::Linear, "smoothed data");
-    out.quads = makeQuads(source.geometry.dims, format);
+    out.mayHaveQuads = source.mayHaveQuads;
+    out.quads = out.mayHaveQuads ? makeQuads(source.geometry.dims, format) : gl::TexelBuffer();
     if (source.isIntegral) {
         out.valueScale = float(std::max(source.range.width(), 1.0));
         out.valueOffset = float(source.range.lo);

@@ -84,22 +84,23 @@ bool findInPool(vec3 q, out vec3 slot, out vec3 inBrick) {
 }
 
 // What lies there. FETCHED: the same to the last bit, whichever slot the brick lies in.
-float fetchedInPool(sampler3D pool, vec3 slot, vec3 inBrick) {
+float fetchedInPool(sampler3D pool, vec3 slot, vec3 inBrick, Meaning meaning) {
     ivec3 cell = ivec3(inBrick);
     ivec3 first = ivec3(slot) + cell;
-    return fetchedBetween(pool, first, first + 1, inBrick - vec3(cell));
+    return fetchedBetween(pool, first, first + 1, inBrick - vec3(cell), meaning);
 }
 #ifdef FETCHED
-float inPool(sampler3D pool, vec3 slot, vec3 inBrick) { return fetchedInPool(pool, slot, inBrick); }
+float inPool(sampler3D pool, vec3 slot, vec3 inBrick) {
+    return fetchedInPool(pool, slot, inBrick, kThemselves);
+}
 #else
 float inPool(sampler3D pool, vec3 slot, vec3 inBrick) {
     return textureLod(pool, (slot + inBrick + 0.5) * poolScale.xyz, 0.0).r;
 }
 #endif
 
-// A texel's value in the volume's unit; where the brick is away the scene's own stands in.
-float valueOrScenes(vec3 q, float texel, bool isAway) {
-    float value = texel * brickValue.x + brickValue.y;
+// A value in the volume's unit; where the brick is away the scene's own stands in.
+float valueOrScenes(vec3 q, float value, bool isAway) {
     while (isAway) {
         vec3 p = (q - levelOrigin.xyz) / levelScale.xyz;
         value = textureLod(dataTexture, textureFromVoxel(p), 0.0).r * dataScale().x + dataScale().y;
@@ -113,13 +114,13 @@ float levelValueAt(vec3 q) {
     vec3 slot;
     vec3 inBrick;
     bool isAway = !findInPool(q, slot, inBrick);
-    return valueOrScenes(q, inPool(brickPool, slot, inBrick), isAway);
+    return valueOrScenes(q, inPool(brickPool, slot, inBrick) * brickValue.x + brickValue.y, isAway);
 }
 float fetchedLevelValueAt(vec3 q) {
     vec3 slot;
     vec3 inBrick;
     bool isAway = !findInPool(q, slot, inBrick);
-    return valueOrScenes(q, fetchedInPool(brickPool, slot, inBrick), isAway);
+    return valueOrScenes(q, fetchedInPool(brickPool, slot, inBrick, meaningOfData(brickValue.xy)), isAway);
 }
 
 #ifdef FINER_CUTS
@@ -145,7 +146,7 @@ float fetchedLevelSculptureAt(vec3 q) {
     vec3 slot;
     vec3 inBrick;
     bool isAway = !findInPool(q, slot, inBrick);
-    return cutOrScenes(q, fetchedInPool(brickCuts, slot, inBrick), isAway);
+    return cutOrScenes(q, fetchedInPool(brickCuts, slot, inBrick, kThemselves), isAway);
 }
 #endif
 

@@ -65,6 +65,15 @@ struct LabelCell {
 
 #include "field/shaders/fetched.glsl"
 
+// What texels of the data stand for that has this scale and offset.
+Meaning meaningOfData(vec2 scale) {
+#ifdef SMOOTHED
+    return Meaning(scale, false);
+#else
+    return Meaning(scale, valueScale.z > 0.5);
+#endif
+}
+
 // Values are sampled in a voxel space of their own, of the scene's grid or of a finer level's.
 #ifdef BRICKS
 #include "field/shaders/bricks.glsl"
@@ -88,11 +97,13 @@ float segmentStep() { return 1.0; }
 #endif
 
 #include "field/shaders/quads.glsl"
+// Stored values, and, fetched, what they stand for.
 #if defined(BRICKS)
 float storedAt(vec3 q) { return levelValueAt(q); }
 float fetchedAt(vec3 q) { return fetchedLevelValueAt(q); }
 vec2 storedScale() { return vec2(1.0, 0.0); }
 #else
+float fetchedAt(vec3 q) { return fetchedOfAll(dataTexture, q, dims.xyz, meaningOfData(dataScale())); }
 vec2 storedScale() { return dataScale(); }
 #endif
 #if defined(QUADS) && !defined(BRICKS)
@@ -102,19 +113,16 @@ layout(binding = kSmoothedQuadsTexture) uniform samplerBuffer quads;
 layout(binding = kQuadsTexture) uniform samplerBuffer quads;
 #endif
 float storedAt(vec3 q) { return ofQuads(quads, q); }
-float fetchedAt(vec3 q) { return ofQuads(quads, q); }
 #elif !defined(BRICKS)
 float storedAt(vec3 q) { return textureLod(dataTexture, textureFromVoxel(q), 0.0).r; }
-float fetchedAt(vec3 q) { return fetchedOfAll(dataTexture, q, dims.xyz); }
 #endif
 
 #ifdef TRICUBIC
 #include "field/shaders/tricubic.glsl"
-float exactDataAt(vec3 p) { return dataAt(p); }
 #else
 float dataAt(vec3 p) { return storedAt(sampledFromVoxel(p)) * storedScale().x + storedScale().y; }
 // The same value wherever in a texture it is kept, for where it is close to one that decides something.
-float exactDataAt(vec3 p) { return fetchedAt(sampledFromVoxel(p)) * storedScale().x + storedScale().y; }
+float exactDataAt(vec3 p) { return fetchedAt(sampledFromVoxel(p)); }
 #endif
 
 #ifdef SMOOTHED
@@ -135,7 +143,7 @@ float sculptureAt(vec3 p) { return levelSculptureAt(sampledFromVoxel(p)); }
 float exactSculptureAt(vec3 p) { return fetchedLevelSculptureAt(sampledFromVoxel(p)); }
 #else
 float sculptureAt(vec3 p) { return textureLod(sculptureTexture, textureFromVoxel(p), 0.0).r; }
-float exactSculptureAt(vec3 p) { return fetchedOfAll(sculptureTexture, p, dims.xyz); }
+float exactSculptureAt(vec3 p) { return fetchedOfAll(sculptureTexture, p, dims.xyz, kThemselves); }
 #endif
 
 #ifdef PULLED

@@ -43,19 +43,24 @@ Taps slopeTaps(vec3 p) {
     return taps;
 }
 
-float tap(float x, float y, float z) { return storedAt(vec3(x, y, z)); }
+// `isExact`: wherever in a texture the values are kept (fetched.glsl).
+float tap(float x, float y, float z, bool isExact) {
+    return isExact ? fetchedAt(vec3(x, y, z)) : storedAt(vec3(x, y, z));
+}
 
 // Two of the eight fetches, along x.
-float tapsAlongX(Taps t, float y, float z) {
-    return t.weightLower.x * tap(t.lower.x, y, z) + t.weightUpper.x * tap(t.upper.x, y, z);
+float tapsAlongX(Taps t, float y, float z, bool isExact) {
+    return t.weightLower.x * tap(t.lower.x, y, z, isExact) + t.weightUpper.x * tap(t.upper.x, y, z, isExact);
 }
 
-float tapsInPlane(Taps t, float z) {
-    return t.weightLower.y * tapsAlongX(t, t.lower.y, z) + t.weightUpper.y * tapsAlongX(t, t.upper.y, z);
+float tapsInPlane(Taps t, float z, bool isExact) {
+    return t.weightLower.y * tapsAlongX(t, t.lower.y, z, isExact) +
+           t.weightUpper.y * tapsAlongX(t, t.upper.y, z, isExact);
 }
 
-float eightTaps(Taps t) {
-    return t.weightLower.z * tapsInPlane(t, t.lower.z) + t.weightUpper.z * tapsInPlane(t, t.upper.z);
+float eightTaps(Taps t, bool isExact) {
+    return t.weightLower.z * tapsInPlane(t, t.lower.z, isExact) +
+           t.weightUpper.z * tapsInPlane(t, t.upper.z, isExact);
 }
 
 // The taps of `values`, along one axis (a unit vector) those of `slopes`.
@@ -65,7 +70,10 @@ Taps tapsAlong(vec3 axis, Taps values, Taps slopes) {
                 mix(values.weightUpper, slopes.weightUpper, axis));
 }
 
-float dataAt(vec3 p) { return eightTaps(valueTaps(sampledFromVoxel(p))) * storedScale().x + storedScale().y; }
+float dataAt(vec3 p) {
+    return eightTaps(valueTaps(sampledFromVoxel(p)), false) * storedScale().x + storedScale().y;
+}
+float exactDataAt(vec3 p) { return eightTaps(valueTaps(sampledFromVoxel(p)), true); }
 
 // Value per voxel along each axis.
 vec3 voxelGradientAt(vec3 p) {
@@ -74,6 +82,7 @@ vec3 voxelGradientAt(vec3 p) {
     Taps slopes = slopeTaps(q);
     const vec3 e = vec3(1.0, 0.0, 0.0);
     return sampledPerVoxel() * storedScale().x *
-           vec3(eightTaps(tapsAlong(e.xyy, values, slopes)), eightTaps(tapsAlong(e.yxy, values, slopes)),
-                eightTaps(tapsAlong(e.yyx, values, slopes)));
+           vec3(eightTaps(tapsAlong(e.xyy, values, slopes), false),
+                eightTaps(tapsAlong(e.yxy, values, slopes), false),
+                eightTaps(tapsAlong(e.yyx, values, slopes), false));
 }

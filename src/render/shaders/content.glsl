@@ -8,7 +8,7 @@
 
 // Data that decides alone or beside segments is looked at again where it is close to the displayed range's
 // ends (testBatch()).
-#if (CONTENT == 0 || CONTENT == 2) && !defined(TRICUBIC)
+#if CONTENT == 0 || CONTENT == 2
 #define LOOKS_AGAIN
 #endif
 
@@ -31,6 +31,7 @@ float opaqueAt(vec3 p) {
 // >= 0 where the data is to be seen beside segments.
 #if CONTENT == 3
 float dataShownAt(vec3 p) { return min(opaqueAt(p), clearOfSegments(membershipsAt(p))); }
+float exactDataShownAt(vec3 p) { return dataShownAt(p); }
 #else
 float dataShownAs(vec3 p, float value) {
 #ifdef TRANSLUCENT
@@ -40,6 +41,7 @@ float dataShownAs(vec3 p, float value) {
 #endif
 }
 float dataShownAt(vec3 p) { return dataShownAs(p, dataAt(p)); }
+float exactDataShownAt(vec3 p) { return dataShownAs(p, exactDataAt(p)); }
 #endif
 
 // >= 0 where there is content to see; continuous along each of its parts, so it can be bisected.
@@ -84,7 +86,7 @@ float exactContentAt(vec3 p) {
 #if CONTENT == 0
     return partInside(exactDataAt(p));
 #else
-    return max(dataShownAs(p, exactDataAt(p)), segmentationAt(p) - 0.5);
+    return max(exactDataShownAt(p), segmentationAt(p) - 0.5);
 #endif
 }
 #ifdef FINER_CUTS

@@ -294,9 +294,9 @@ Hit findSurface(Ray ray, float jitter) {
 #endif
 #ifdef MEETS_SEGMENTS
     // Whichever of the two begins here: at its own surface each is zero but for rounding.
-    bool isSegmentsOwn = CONTENT == 1 || segmentationAt(hit.voxel) - 0.5 >= dataShownAt(hit.voxel);
+    bool isSegmentsOwn = CONTENT == 1 || segmentationAt(hit.voxel) - 0.5 >= exactDataShownAt(hit.voxel);
 #if defined(TRANSLUCENT) && CONTENT != 3
-    bool endsAtGlass = clearOfGlass(membershipsAt(hit.voxel)) <= partInside(dataAt(hit.voxel));
+    bool endsAtGlass = clearOfGlass(membershipsAt(hit.voxel)) <= partInside(exactDataAt(hit.voxel));
     outward = endsAtGlass ? translucentGradient(hit.voxel) : outward;
 #endif
     outward = isSegmentsOwn ? -segmentationGradient(hit.voxel) : outward;

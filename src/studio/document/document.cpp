@@ -51,7 +51,9 @@ void Document::showFinerLevels(const FinerLevels& levels) {
         Cutter::Finer finer = impl_->cutter.makeFiner(scan.field);
         contents.sculpture.refine(
             std::make_unique<sculpt::FineSculpture>(finest, contents.sculpture.precision()));
-        // From here on nothing fails.
+        // From here on nothing fails. Quads would take memory that bricks are to have.
+        scan.field.quads = {};
+        scan.field.mayHaveQuads = false;
         impl_->cutter.refine(std::move(finer), *detail);
         if (!contents.region.exists()) {
             contents.region.refine({source, finest, levels.options.hostBytes, levels.options.threads});

@@ -20,8 +20,9 @@ namespace vs::studio {
 
 namespace {
 
-// What a voxel that is worked on takes beside its value: sculpture, labels, generations, membership.
-constexpr std::size_t kWorkBytes = 8;
+// What a voxel that is worked on takes beside its value: sculpture, labels, generations, membership, cells
+// (doc/performance.md, "Memory on the device").
+constexpr std::size_t kWorkBytes = 10;
 // More voxels are not worked on unless they are asked for: they take long to read.
 constexpr std::size_t kManyVoxels = std::size_t(1) << 27;
 // What bricks take where nobody said how much they may: more would hardly ever be used.

@@ -65,13 +65,14 @@ std::atomic<std::size_t> memoryOfDevice{0};
 std::size_t deviceMemoryBytes() { return memoryOfDevice; }
 
 void noteDeviceMemory() {
-    GLint kibibytes[4] = {};
+    GLint own = 0; // both in KiB
+    GLint all = 0;
     if (!Context::isSoftware() && epoxy_has_gl_extension("GL_NVX_gpu_memory_info")) {
-        glGetIntegerv(GL_GPU_MEMORY_INFO_DEDICATED_VIDMEM_NVX, kibibytes);
-    } else if (!Context::isSoftware() && epoxy_has_gl_extension("GL_ATI_meminfo")) {
-        glGetIntegerv(GL_TEXTURE_FREE_MEMORY_ATI, kibibytes); // the first: what is free of all
+        glGetIntegerv(GL_GPU_MEMORY_INFO_DEDICATED_VIDMEM_NVX, &own);
+        glGetIntegerv(GL_GPU_MEMORY_INFO_TOTAL_AVAILABLE_MEMORY_NVX, &all);
     }
-    memoryOfDevice = std::size_t(std::max(kibibytes[0], 0)) * 1024;
+    const bool isShared = own < all / 4; // a graphics core of the processor, with a little set aside for it
+    memoryOfDevice = isShared ? 0 : std::size_t(std::max(own, 0)) * 1024;
 }
 
 namespace {

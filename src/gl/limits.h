@@ -43,8 +43,9 @@ int pretendedFilterSteps();
 // What the driver of the current context's device says of compute shaders.
 ComputeLimits computeLimits();
 
-// The memory that the device has which a context was made on last, in bytes, as its driver says; 0: none was
-// made, or its driver does not say, or it has no memory but the machine's. Any thread may ask.
+// The memory of its own that the device has which a context was made on last, in bytes, as its driver says
+// (GL_NVX_gpu_memory_info); 0: none was made, or its driver does not say, or most of what the device may take
+// is the machine's. Any thread may ask.
 std::size_t deviceMemoryBytes();
 // Asks the driver of the current context. Internal to this folder.
 void noteDeviceMemory();

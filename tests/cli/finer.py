@@ -48,6 +48,7 @@ SHAPES = GROWTH + [
     {"op": "paint segment", "trail": {"points": [[60.2, 70.1, 60.4], [80, 90, 70], [100.6, 70, 66]], "radius": 4.3}, "range": [30, 255], "adds": True},
     {"op": "paint segment", "trail": {"points": [[70, 80, 64], [72, 84, 66]], "radius": 3.1}, "adds": False},
     {"op": "edit segment", "edit": "keep island", "voxel": [60, 70, 60]},
+    {"op": "brush segment", "adds": False, "stroke": CUTS[3]}, {"op": "brush segment", "adds": True, "stroke": CUTS[3]}, {"op": "undo"},
 ]
 SEED = [{"op": "seed", "range": [85, 255], "voxels": [[66, 80, 64]]}, {"op": "grow"}]
 HALF_SEED = [{"op": "seed", "range": [85, 255], "voxels": [[33, 40, 32]]}, {"op": "grow"}]

@@ -59,9 +59,10 @@ void check(const CheckOptions& options) {
     studio::Session session = studio::loadSession(options.session);
     fmt::print("{}: session version {}, {} operations{}\n", options.session, session.version,
                session.operations.size(), session.stateChecksum.empty() ? ", no state" : "");
+    // First: how much is worked on follows what its device has.
+    const auto context = gl::Context::createHeadless();
     SessionScan scan = loadSessionScan(session, options.session, options.volume, {});
     fmt::print("its volume is there: {}\n", scan.volume.name);
-    const auto context = gl::Context::createHeadless();
     std::optional<studio::DocumentContent> saved;
     if (!session.stateChecksum.empty()) {
         saved = contentOfState(options, session, scan.volume);

@@ -77,28 +77,18 @@ void PreferencesDialog::addLanguage(QFormLayout* form) {
 }
 
 void PreferencesDialog::addUndo(QFormLayout* form) {
-    auto* memory = named(new QSpinBox, "undoMemory", tr("Memory for undo"));
-    memory->setRange(16, 1 << 17);
-    memory->setSingleStep(128);
-    memory->setSuffix(tr(" MB"));
-    memory->setKeyboardTracking(false);
-    memory->setButtonSymbols(QAbstractSpinBox::NoButtons); // wheel and arrow keys do
-    memory->setValue(preferences_.undoMegabytes);
+    auto* memory = makeAmount("undoMemory", tr("Memory for undo"), 16, &Preferences::undoMegabytes);
     memory->setToolTip(tr("Undo has no end; what does not fit goes to a temporary file"));
-    connect(memory, &QSpinBox::valueChanged, this, [this](int megabytes) {
-        preferences_.undoMegabytes = megabytes;
-        tell();
-    });
     form->addRow(tr("Memory for undo"), memory);
 }
 
-QSpinBox* PreferencesDialog::makeAmount(const char* objectName, const QString& label,
+QSpinBox* PreferencesDialog::makeAmount(const char* objectName, const QString& label, int least,
                                         int Preferences::*megabytes) {
     auto* amount = named(new QSpinBox, objectName, label);
-    amount->setRange(0, 1 << 20);
-    amount->setSingleStep(256);
+    amount->setRange(least, 1 << 20);
+    amount->setSingleStep(128);
     amount->setSuffix(tr(" MB"));
-    amount->setSpecialValueText(tr("Automatic"));
+    amount->setSpecialValueText(least == 0 ? tr("Automatic") : QString());
     amount->setKeyboardTracking(false);
     amount->setButtonSymbols(QAbstractSpinBox::NoButtons); // wheel and arrow keys do
     amount->setValue(preferences_.*megabytes);
@@ -111,11 +101,11 @@ QSpinBox* PreferencesDialog::makeAmount(const char* objectName, const QString& l
 
 void PreferencesDialog::addScans(QFormLayout* form) {
     const QString onDevice = tr("Graphics memory for scans");
-    auto* device = makeAmount("deviceMemory", onDevice, &Preferences::deviceMegabytes);
+    auto* device = makeAmount("deviceMemory", onDevice, 0, &Preferences::deviceMegabytes);
     device->setToolTip(tr("What scans and edits may take on the graphics device, from the next scan that is "
                           "opened on. Larger ones are worked on at a coarser level"));
     const QString onHost = tr("Memory for large scans");
-    auto* host = makeAmount("hostMemory", onHost, &Preferences::hostMegabytes);
+    auto* host = makeAmount("hostMemory", onHost, 0, &Preferences::hostMegabytes);
     host->setToolTip(
         tr("What parts of large scans that were read, and growth in them, may take, from the next "
            "scan that is opened on"));

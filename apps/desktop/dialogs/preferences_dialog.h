@@ -29,8 +29,9 @@ private:
     void addRecordings(QFormLayout* form);
     void addQuality(QFormLayout* form);
     void addSlices(QFormLayout* form);
-    // For megabytes that a person may leave to the program.
-    QSpinBox* makeAmount(const char* objectName, const QString& label, int Preferences::*megabytes);
+    // For megabytes; where none are allowed, that leaves them to the program.
+    QSpinBox* makeAmount(const char* objectName, const QString& label, int least,
+                         int Preferences::*megabytes);
     void tell() { emit changed(preferences_); }
 
     Preferences preferences_;

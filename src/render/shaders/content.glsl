@@ -77,8 +77,9 @@ float sideAt(vec3 p) { return sideAs(p, 0.0); }
 float exactSideAt(vec3 p) { return sideAs(p, 0.0); }
 #endif
 
-// Both as they are wherever in textures the values are kept (x content, y side): for where they are closer to
-// zero than slack(), or decide where a surface lies. Values are rounded, and so are places in a texture, by
+// Both as they are wherever in textures the data and the sculpture are kept (x content, y side), which is not
+// said of segments and transfer functions: for where they are closer to zero than slack(), or decide where a
+// surface lies. Values are rounded, and so are places in a texture, by
 // some 1e-4 of a texel where its unit has floats. Those that know 256 places from one texel to the next may
 // be off by more.
 #ifdef LOOKS_AGAIN

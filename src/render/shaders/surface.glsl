@@ -35,7 +35,7 @@ float sliverBetween(vec2 before, vec2 after, vec2 off) {
     float late = crossing.x - crossing.y;
     float most = offThere.x + offThere.y;
     bool isThere = (contentBegins && late <= most) || (sideBegins && -late <= most);
-    return isThere ? 0.5 * (crossing.x + crossing.y) : -1.0;
+    return isThere ? clamp(0.5 * (crossing.x + crossing.y), 0.0, 1.0) : -1.0;
 }
 #endif
 
@@ -89,9 +89,11 @@ void testBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
         last = isPassed ? here : last;
         float further = isPassed ? 1.0 : 0.0;
 #ifdef SCULPTED
-        float sliver = sliverBetween(exactPartsAt(at(ray, crossing.t - kDt)), here, vec2(0.0));
+        bool isWithin = crossing.t - kDt >= ray.tNear;
+        vec2 earlier = isWithin ? exactPartsAt(at(ray, crossing.t - kDt)) : here;
+        float sliver = sliverBetween(earlier, here, vec2(0.0));
         vec2 inSliver = exactPartsAt(at(ray, crossing.t + (sliver - 1.0) * kDt));
-        bool isInSliver = isBehindSliver && sliver >= 0.0 && min(inSliver.x, inSliver.y) >= 0.0;
+        bool isInSliver = sliver >= 0.0 && min(inSliver.x, inSliver.y) >= 0.0;
         crossing.value = isInSliver ? min(inSliver.x, inSliver.y) : crossing.value;
         further = isInSliver ? sliver - 1.0 : further;
 #endif

@@ -26,23 +26,19 @@ bool isBefore(const Run& a, const Run& b) {
     return std::tie(a.z, a.y, a.begin) < std::tie(b.z, b.y, b.begin);
 }
 
-// The rows of a set, the first by z, y and x first; those that touch are one.
+// The rows of a set in the order of z, y and x; those that touch are one.
 std::vector<Run> runsOf(const FineSet& set) {
     std::vector<Run> runs;
-    set.forEachRow([&](int begin, int end, int y, int z) { runs.push_back({z, y, begin, end}); });
-    reportProgress();
-    std::sort(runs.begin(), runs.end(), isBefore);
-    std::size_t last = 0;
-    for (std::size_t n = 1; n < runs.size(); ++n) {
-        const Run& next = runs[n];
-        Run& run = runs[last];
-        if (run.z == next.z && run.y == next.y && run.end == next.begin) {
-            run.end = next.end;
-        } else {
-            runs[++last] = next;
+    set.forEachRow([&](int begin, int end, int y, int z) {
+        if (!runs.empty() && runs.back().z == z && runs.back().y == y && runs.back().end == begin) {
+            runs.back().end = end;
+            return;
         }
-    }
-    runs.resize(runs.empty() ? 0 : last + 1);
+        runs.push_back({z, y, begin, end});
+        if (runs.size() % 65536 == 0) {
+            reportProgress();
+        }
+    });
     return runs;
 }
 

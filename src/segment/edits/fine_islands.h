@@ -10,10 +10,10 @@
 namespace vs::segment {
 
 // The edits of islands.h of sets in grids of any size, with the same results. They go through the rows of
-// voxels that lie side by side, some twenty bytes each.
+// voxels that lie side by side, some fifty bytes each.
 
-// Keeps only the island at `place`, or everything but that island: the one with the voxel nearest to it, at
-// most `reach` voxels away along each axis. Throws Error when there is none.
+// Keeps only the island at `place`, or everything but that island: the one with the voxel nearest to it, in
+// voxels, in the box that reaches so far along each axis. Throws Error when there is none.
 FineSet keepIsland(const FineSet& set, glm::ivec3 place, Connectivity connectivity, glm::ivec3 reach);
 FineSet dropIsland(const FineSet& set, glm::ivec3 place, Connectivity connectivity, glm::ivec3 reach);
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kLeastSide = 64; // voxels of a piece along each axis, without what lies around it
 constexpr int kUsualSide = 128;
-constexpr int kMostSide = 320; // with it: an edit takes about ten bytes a voxel
+constexpr int kMostSide = 320; // with it
 
 // Pieces are cubes of that side; the one that a voxel lies in.
 struct Piece {
@@ -36,8 +36,10 @@ int sideFor(glm::ivec3 halo, double mm) {
     if (side < kLeastSide) {
         throw Error(
             "{:g} mm are too far for an edit at the finest level of this volume: {} voxels of it have to be "
-            "looked at around each, and {} at the most can be; edit it at a coarser level (--storage dense)",
-            mm, most, (kMostSide - kLeastSide) / 2);
+            "looked at around each, and {} at the most can be; work on a coarser level alone (--level N "
+            "--storage "
+            "dense)",
+            std::abs(mm), most, (kMostSide - kLeastSide) / 2);
     }
     return side;
 }

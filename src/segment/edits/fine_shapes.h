@@ -8,8 +8,8 @@ namespace vs::segment {
 
 // The edits of margins.h and smoothing.h of sets in grids of any size, with the same results voxel by voxel:
 // they depend only on what is near, and are done on pieces of the grid one after the other. `geometry` is the
-// grid's. Beside the sets themselves they take about 400 MB at the most. All throw Error as those do, and
-// where what counts as near is more voxels than a piece may have.
+// grid's. Beside the sets themselves they take some 40 MB, where hundreds of voxels count as near up to 800.
+// All throw Error as those do, and where what counts as near is more voxels than a piece may have.
 FineSet changeMargin(const FineSet& set, const volume::GridGeometry& geometry, double mm);
 FineSet opening(const FineSet& set, const volume::GridGeometry& geometry, double mm);
 FineSet closing(const FineSet& set, const volume::GridGeometry& geometry, double mm);

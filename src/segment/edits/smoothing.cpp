@@ -37,7 +37,7 @@ void checkSmoothing(const volume::GridGeometry& geometry, double mm) {
 }
 
 glm::ivec3 smoothingReach(const volume::GridGeometry& geometry, double mm) {
-    return glm::ivec3(glm::ceil(3.0 * mm / geometry.spacing()));
+    return glm::ivec3(glm::ceil(3.0 * (mm / geometry.spacing()))); // as gaussian() has it
 }
 
 VoxelSet smooth(const VoxelSet& set, const volume::GridGeometry& geometry, double mm) {

@@ -54,8 +54,6 @@ public:
     void setPlayhead(int generation, FineUndo* undo = nullptr);
     int absorb(std::span<const glm::ivec3> voxels, int expansions, FineUndo* undo = nullptr);
     void reset(FineUndo* undo = nullptr);
-    // Generations after the playhead are no more, as whatever changes the rules has it.
-    void forgetHidden(FineUndo* undo = nullptr);
     void activate(std::uint8_t label, FineUndo* undo = nullptr);
 
     // What becomes of some voxels of a brick: the segment loses those that are in `taken`, and gains those in

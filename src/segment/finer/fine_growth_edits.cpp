@@ -70,11 +70,6 @@ void FineGrowth::takeBack(const FineUndo& noted) {
     run_ = noted.run;
 }
 
-void FineGrowth::forgetHidden(FineUndo* undo) {
-    const Recording recording(undo, *this);
-    truncate(run_.state.playhead);
-}
-
 void FineGrowth::erase(const Bricks& among, int last,
                        const std::function<bool(std::uint32_t, std::size_t)>& isTaken) {
     for (const std::uint32_t brick : among) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Segments at the finest level as sets of voxels: taken out, and put back in another shape.
 #include "segment/finer/fine_growth.h"
-#include "segment/growth/host_rules.h"
 #include "volume/grid/visit_type.h"
 
 #include <algorithm>
@@ -62,19 +61,21 @@ void FineGrowth::paint(const FineSet& set, bool isToAdd, FineUndo* undo) {
 
 FineSet FineGrowth::inRange(const FineSet& set, const Range& range) const {
     FineSet result(dims());
-    Constraints constraints;
-    constraints.range = range;
     volume::visitType(values_->type(), [&](const auto* none) {
-        const HostRules rules(none, glm::ivec3(1), values_->field(), constraints);
         for (const auto& [brick, bits] : set.bricks()) {
             const Box3 box = set.boxOf(brick);
             const Box3 block = values_->blockBox(box.lo);
             const auto values = values_->blockAround(box.lo);
-            const auto here = rules.of(reinterpret_cast<decltype(none)>(values->data()), block.size());
+            const auto* here = reinterpret_cast<decltype(none)>(values->data());
+            const glm::ivec3 size = block.size();
             CellBits kept{};
             forEachVoxel(box, [&](glm::ivec3 voxel, std::size_t) {
                 const std::size_t cell = cellOf(voxel - box.lo);
-                if (has(bits, cell) && here.admits(voxel - block.lo)) {
+                const glm::ivec3 at = voxel - block.lo;
+                const std::size_t place =
+                    (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
+                    std::size_t(at.x);
+                if (has(bits, cell) && range.contains(double(here[place]))) {
                     segment::set(kept, cell);
                 }
             });

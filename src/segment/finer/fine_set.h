@@ -4,6 +4,7 @@
 #include "field/bricks/brick_grid.h"
 #include "segment/finer/fine_cells.h"
 
+#include <bit>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -36,31 +37,52 @@ public:
     // Takes in those voxels of a brick whose bits are set.
     void add(std::uint32_t brick, const CellBits& bits);
 
-    // Calls f(begin, end, y, z) for each row of voxels along x that lie side by side in a brick.
+    // Calls f(begin, end, y, z) for each row of voxels along x that lie side by side in a brick, in the order
+    // of z, y and x.
     template <typename F>
     void forEachRow(F&& f) const {
-        for (const auto& [brick, bits] : bricks_) {
-            const glm::ivec3 first = boxOf(brick).lo;
+        for (auto layer = bricks_.begin(); layer != bricks_.end();) {
+            const auto next = firstBeyondLayer(layer->first);
             for (int z = 0; z < field::kBrick; ++z) {
-                for (int y = 0; y < field::kBrick; ++y) {
-                    std::uint32_t row = rowOf(bits, y, z);
-                    for (int x = 0; row != 0;) {
-                        const int gap = __builtin_ctz(row);
-                        row >>= unsigned(gap);
-                        const int length = ~row == 0 ? 32 : __builtin_ctz(~row);
-                        x += gap;
-                        f(first.x + x, first.x + x + length, first.y + y, first.z + z);
-                        x += length;
-                        row = length == 32 ? 0 : row >> unsigned(length);
+                for (auto line = layer; line != next;) {
+                    const auto end = firstBeyondLine(line->first);
+                    for (int y = 0; y < field::kBrick; ++y) {
+                        for (auto brick = line; brick != end; ++brick) {
+                            forEachRowOf(*brick, y, z, f);
+                        }
                     }
+                    line = end;
                 }
             }
+            layer = next;
         }
     }
 
     bool operator==(const FineSet& other) const { return dims() == other.dims() && bricks_ == other.bricks_; }
 
 private:
+    // The first brick beyond the line along x that a brick is in, or beyond its layer along z.
+    [[nodiscard]] Bricks::const_iterator firstBeyondLine(std::uint32_t brick) const {
+        const glm::ivec3 at = grid_.brickAt(int(brick));
+        return bricks_.lower_bound(std::uint32_t(grid_.placeOf({0, at.y + 1, at.z})));
+    }
+    [[nodiscard]] Bricks::const_iterator firstBeyondLayer(std::uint32_t brick) const {
+        return bricks_.lower_bound(std::uint32_t(grid_.placeOf({0, 0, grid_.brickAt(int(brick)).z + 1})));
+    }
+    template <typename F>
+    void forEachRowOf(const Bricks::value_type& brick, int y, int z, F& f) const {
+        const glm::ivec3 first = boxOf(brick.first).lo;
+        std::uint32_t row = rowOf(brick.second, y, z);
+        for (int x = 0; row != 0;) {
+            const int gap = std::countr_zero(row);
+            row >>= unsigned(gap);
+            const int length = std::countr_one(row);
+            x += gap;
+            f(first.x + x, first.x + x + length, first.y + y, first.z + z);
+            x += length;
+            row = length == 32 ? 0 : row >> unsigned(length);
+        }
+    }
     // 32 voxels along x of a brick, the first in the lowest bit.
     static std::uint32_t rowOf(const CellBits& bits, int y, int z);
     [[nodiscard]] std::uint32_t brickOf(glm::ivec3 voxel) const {

@@ -247,6 +247,7 @@ segment::VoxelSet CutEditor::takeBackAndTell(sculpt::SculptureDelta& delta,
 
 // Likewise, of the finest level.
 segment::FineSet CutEditor::takeBackAndTellFinest(sculpt::SculptureDelta& delta) {
+    static_assert(sculpt::kFineBrick == field::kBrick); // both number bricks alike
     const sculpt::FineSculpture& finer = *contents_.sculpture.finer();
     segment::FineSet set(finer.dims());
     const auto after = finer.reader(); // both stay as they are

@@ -21,6 +21,11 @@ bool needsOther(Kind kind) {
     return kind == Kind::Unite || kind == Kind::Subtract || kind == Kind::Intersect;
 }
 
+// The voxel of the finest level at a place in the scene's voxel space.
+glm::ivec3 finestAt(const glm::dvec3& place, const field::BrickGrid& grid) {
+    return glm::ivec3(glm::round(place * grid.perSceneVoxel + grid.origin));
+}
+
 // What an edit makes of a set of voxels of a grid. `onIsland`: the voxel that islands are named by, and of a
 // level that is finer than the scene's how far from it they may lie.
 template <typename Set, typename... OnIsland>
@@ -101,11 +106,10 @@ void SegmentShapeEditor::performFinest(const EditSegment& op, Region::Records& r
     const segment::FineSet other =
         needsOther(op.kind) ? takeOther(op, records, take) : segment::FineSet(grid.dims);
     const segment::FineSet set = take(contents_.segments.atWork);
-    const glm::dvec3 place = glm::dvec3(op.voxel.value_or(glm::ivec3(0))) * grid.perSceneVoxel + grid.origin;
+    const glm::ivec3 place = op.finest.value_or(finestAt(op.voxel.value_or(glm::ivec3(0)), grid));
     const glm::ivec3 reach(glm::ceil(double(segment::kIslandReach) * grid.perSceneVoxel));
     contents_.region.replace(edited(op, set, other, contents_.region.geometry(),
-                                    contents_.region.rules().connectivity, glm::ivec3(glm::round(place)),
-                                    reach),
+                                    contents_.region.rules().connectivity, place, reach),
                              records);
 }
 
@@ -117,7 +121,7 @@ Outcome SegmentShapeEditor::run(EditSegment& op) {
                         contents_.segments.working().name);
         }
     }
-    if (needsVoxel(op.kind) && !op.voxel) {
+    if (needsVoxel(op.kind) && !op.voxel && !op.finest) {
         if (!op.pixel) {
             throw Error("'{}' needs a pixel on the island, or one of its voxels", name(op));
         }
@@ -129,6 +133,9 @@ Outcome SegmentShapeEditor::run(EditSegment& op) {
             throw Error("nothing lies under pixel {:g}, {:g}; point at an island", pixel.x, pixel.y);
         }
         op.voxel = glm::ivec3(glm::round(glm::vec3(points.front().voxel)));
+        if (contents_.region.isFiner()) {
+            op.finest = finestAt(points.front().voxel, contents_.region.finestGrid());
+        }
     }
     changeSegments(contents_, *this, op);
     const std::size_t now = contents_.grownVoxels();
@@ -179,7 +186,7 @@ segment::FineSet SegmentShapeEditor::finestUnder(const PaintSegment& op) {
 
 Outcome SegmentShapeEditor::run(PaintSegment& op) {
     const bool isAnyUnder = contents_.region.isFiner()
-                                ? !finestUnder(op).isEmpty()
+                                ? voxelsAlong(op.trail, contents_.scan.volume.geometry).count() > 0
                                 : voxelsAlong(op.trail, contents_.scan.volume, op.range).count() > 0;
     if (!isAnyUnder) {
         return {{}, 0, 0, say(VS_TEXT("library", "nothing changed: no voxel lies under the brush"))};

@@ -110,7 +110,7 @@ bool canBeDoneAgain(const Operation& operation) {
     if (const auto* edit = std::get_if<EditSegment>(&operation)) {
         const bool isOfIsland =
             edit->kind == EditSegment::Kind::KeepIsland || edit->kind == EditSegment::Kind::DropIsland;
-        return !isOfIsland || edit->voxel;
+        return !isOfIsland || edit->voxel || edit->finest;
     }
     const auto* labels = std::get_if<LoadLabels>(&operation);
     return labels == nullptr || labels->map;

@@ -167,9 +167,15 @@ void convertMore(KeepConnected& op, const KeepConnected& /*before*/, const Other
         op.voxel.reset(); // it is looked for again under the pixel
     }
 }
-void convertMore(EditSegment& op, const EditSegment& /*before*/, const OtherGrid& /*grid*/) {
+void convertMore(EditSegment& op, const EditSegment& before, const OtherGrid& grid) {
+    if (grid.isFromFinest && !op.finest) {
+        op.finest = before.voxel;
+    }
     if (op.pixel && op.canvas) {
         op.voxel.reset();
+    }
+    if (grid.isToFinest && op.finest) {
+        op.voxel = std::exchange(op.finest, std::nullopt);
     }
 }
 void convertMore(CorrectGeometry& op, const CorrectGeometry& /*before*/, const OtherGrid& grid) {

@@ -316,7 +316,8 @@ struct EditSegment {
     double amount = 0;
     std::string other = {};
     std::optional<glm::dvec2> pixel = {};
-    std::optional<glm::ivec3> voxel = {}; // what was found under the pixel
+    std::optional<glm::ivec3> voxel = {};  // what was found under the pixel
+    std::optional<glm::ivec3> finest = {}; // of the finest level, where segments are of that one
     std::optional<Canvas> canvas = {};
 
     template <typename = void>
@@ -327,6 +328,7 @@ struct EditSegment {
             sparse("other", &EditSegment::other, kSegmentName, "another segment"),
             sparse("pixel", &EditSegment::pixel, {.unit = "pixels"}),
             sparse("voxel", &EditSegment::voxel, kVoxel, "used instead of looking again"),
+            sparse("finest", &EditSegment::finest, kFinestVoxel),
             sparse("canvas", &EditSegment::canvas, {}, "on what it was drawn")};
     }
     [[nodiscard]] std::vector<Phrase> details() const;

@@ -2,10 +2,13 @@
 #include "studio/operations/trail.h"
 
 #include "base/capsule.h"
+#include "base/progress.h"
 #include "studio/operations/filled_rows.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 namespace vs::studio {
 
@@ -146,11 +149,24 @@ void addMarked(segment::FineSet& set, const Trail& trail, const volume::GridGeom
     if (box.isEmpty()) {
         return;
     }
-    forEachVoxel(Box3{box.lo / kSide, divideUp(box.hi, kSide)}, [&](glm::ivec3 at, std::size_t) {
-        const Box3 piece = intersect(box, {at * kSide, (at + 1) * kSide});
-        const VoxelSet part = marked(trail, geometry, piece);
+    std::set<std::array<int, 3>> pieces; // that some stretch of the trail reaches
+    for (std::size_t n = 0; n < trail.points.size(); ++n) {
+        Trail stretch = trail;
+        stretch.points = {trail.points[n == 0 ? 0 : n - 1], trail.points[n]};
+        if (trail.axis) { // a disc's points all lie in its slice
+            stretch.points.front()[*trail.axis] = trail.points.front()[*trail.axis];
+        }
+        const Box3 reached = boxAround(stretch, geometry);
+        forEachVoxel(Box3{reached.lo / kSide, divideUp(reached.hi, kSide)}, [&](glm::ivec3 at, std::size_t) {
+            pieces.insert({at.z, at.y, at.x});
+        });
+    }
+    for (const auto& [z, y, x] : pieces) {
+        reportProgress();
+        const glm::ivec3 at(x, y, z);
+        const VoxelSet part = marked(trail, geometry, intersect(box, {at * kSide, (at + 1) * kSide}));
         set.add(part.box, part.box, part.inside);
-    });
+    }
 }
 
 } // namespace

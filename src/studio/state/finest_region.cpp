@@ -2,7 +2,6 @@
 #include "studio/state/finest_region.h"
 
 #include <algorithm>
-#include <map>
 #include <tuple>
 
 namespace vs::studio {
@@ -14,32 +13,6 @@ void sortUnique(std::vector<glm::ivec3>& voxels) {
               [](glm::ivec3 a, glm::ivec3 b) { return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x); });
     voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
 }
-
-// Edits of bricks, put together voxel by voxel.
-class EditList {
-public:
-    explicit EditList(const segment::FineGrowth& growth) : growth_(growth) {}
-
-    void add(const Box3& finest, bool isGiven) {
-        forEachVoxel(finest, [&](glm::ivec3 voxel, std::size_t) {
-            segment::FineGrowth::BrickEdit& edit = edits_[growth_.brickOf(voxel)];
-            segment::set(isGiven ? edit.given : edit.taken, segment::cellOf(voxel & (field::kBrick - 1)));
-        });
-    }
-    [[nodiscard]] FinestRegion::Edits take() {
-        FinestRegion::Edits list;
-        list.reserve(edits_.size());
-        for (auto& [brick, edit] : edits_) {
-            edit.brick = brick;
-            list.push_back(edit);
-        }
-        return list;
-    }
-
-private:
-    const segment::FineGrowth& growth_;
-    std::map<std::uint32_t, segment::FineGrowth::BrickEdit> edits_;
-};
 
 } // namespace
 
@@ -77,38 +50,19 @@ std::vector<glm::ivec3> FinestRegion::found(const field::SurfacePoints& points,
     return voxels;
 }
 
-FinestRegion::Edits FinestRegion::painting(const segment::VoxelSet& set, bool isToAdd) const {
-    EditList edits(growth_);
+segment::FineSet FinestRegion::finestOf(const segment::VoxelSet& set) const {
+    segment::FineSet finest(grid_.dims);
     forEachVoxel(set.box, [&](glm::ivec3 voxel, std::size_t i) {
         if (set.inside[i] != 0) {
-            edits.add(view_.finestIn(voxel), isToAdd);
+            const Box3 inVoxel = view_.finestIn(voxel);
+            for (int z = inVoxel.lo.z; z < inVoxel.hi.z; ++z) {
+                for (int y = inVoxel.lo.y; y < inVoxel.hi.y; ++y) {
+                    finest.addRow(inVoxel.lo.x, inVoxel.hi.x, y, z);
+                }
+            }
         }
     });
-    return edits.take();
-}
-
-FinestRegion::Edits FinestRegion::replacing(const segment::VoxelSet& before,
-                                            const segment::VoxelSet& after) const {
-    EditList edits(growth_);
-    // What is left of the segment in voxels beside those that it lost goes with them.
-    segment::VoxelSet besideGone = segment::emptySet(grow(unite(before.box, after.box), 1));
-    forEachVoxel(before.box, [&](glm::ivec3 voxel, std::size_t i) {
-        if (before.inside[i] != 0 && !after.contains(voxel)) {
-            forEachVoxel(grow(Box3{voxel, voxel + 1}, 1), [&](glm::ivec3 near, std::size_t) {
-                besideGone.inside[besideGone.indexOf(near)] = 1;
-            });
-        }
-    });
-    const Box3 scene{glm::ivec3(0), sceneDims_};
-    forEachVoxel(intersect(besideGone.box, scene), [&](glm::ivec3 voxel, std::size_t) {
-        const bool is = after.contains(voxel);
-        if (is && !before.contains(voxel)) {
-            edits.add(view_.finestIn(voxel), true);
-        } else if (!is && besideGone.inside[besideGone.indexOf(voxel)] != 0) {
-            edits.add(view_.finestIn(voxel), false);
-        }
-    });
-    return edits.take();
+    return finest;
 }
 
 } // namespace vs::studio

@@ -45,12 +45,8 @@ public:
     [[nodiscard]] std::vector<glm::ivec3> found(const field::SurfacePoints& points,
                                                 const segment::Constraints& constraints) const;
 
-    using Edits = std::vector<segment::FineGrowth::BrickEdit>;
-    // What a set of the scene's voxels adds or takes away.
-    [[nodiscard]] Edits painting(const segment::VoxelSet& set, bool isToAdd) const;
-    // What makes the segment at work, which the scene shows as `before`, one that it shows as `after`: where
-    // both agree, so do the finest voxels with what they were.
-    [[nodiscard]] Edits replacing(const segment::VoxelSet& before, const segment::VoxelSet& after) const;
+    // All finest voxels in a set of the scene's.
+    [[nodiscard]] segment::FineSet finestOf(const segment::VoxelSet& set) const;
 
 private:
     field::BrickGrid grid_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/state/region.h"
 
+#include "base/check.h"
 #include "base/error.h"
 
 #include <algorithm>
@@ -11,21 +12,15 @@ namespace vs::studio {
 
 namespace {
 
-// Segments of the scene are edited in other ways.
-void edit(segment::FineGrowth& growth, const FinestRegion::Edits& edits, segment::FineUndo* undo) {
-    growth.edit(edits, undo);
-}
-void edit(segment::Growth&, const FinestRegion::Edits&, segment::GrowthUndo*) {}
-void forgetHidden(segment::FineGrowth& growth, segment::FineUndo* undo) { growth.forgetHidden(undo); }
+// Sets of finest voxels are for segments of the finest level.
 void replace(segment::FineGrowth& growth, const segment::FineSet& set, segment::FineUndo* undo) {
     growth.replace(set, undo);
 }
-void replace(segment::Growth&, const segment::FineSet&, segment::GrowthUndo*) {}
+void replace(segment::Growth&, const segment::FineSet&, segment::GrowthUndo*) { VS_CHECK(false); }
 void paint(segment::FineGrowth& growth, const segment::FineSet& set, bool isToAdd, segment::FineUndo* undo) {
     growth.paint(set, isToAdd, undo);
 }
-void paint(segment::Growth&, const segment::FineSet&, bool, segment::GrowthUndo*) {}
-void forgetHidden(segment::Growth&, segment::GrowthUndo*) {}
+void paint(segment::Growth&, const segment::FineSet&, bool, segment::GrowthUndo*) { VS_CHECK(false); }
 
 } // namespace
 
@@ -244,23 +239,15 @@ segment::VoxelSet Region::voxelsOf(std::uint8_t label) {
 
 void Region::replace(const segment::VoxelSet& set, Records& records) {
     if (isFiner()) {
-        FinestRegion& finest = madeFinest();
-        change(records,
-               [&](auto& growth, auto* undo) { forgetHidden(growth, undo); }); // what is edited is seen
-        const auto edits = finest.replacing(voxelsOf(growth_->activeLabel()), set);
-        change(records, [&](auto& growth, auto* undo) { edit(growth, edits, undo); });
+        replace(madeFinest().finestOf(set), records);
     } else {
         madeGrowth().replace(set.box, set.inside, &records.emplace_back().scene);
     }
 }
 
 void Region::paint(const segment::VoxelSet& set, bool isToAdd, Records& records) {
-    if (isFiner()) {
-        const auto edits = madeFinest().painting(set, isToAdd);
-        change(records, [&](auto& growth, auto* undo) { edit(growth, edits, undo); });
-    } else {
-        madeGrowth().paint(set.box, set.inside, isToAdd, &records.emplace_back().scene);
-    }
+    VS_CHECK(!isFiner());
+    madeGrowth().paint(set.box, set.inside, isToAdd, &records.emplace_back().scene);
 }
 
 segment::FineSet Region::finestVoxels(std::uint8_t label) { return madeFinest().growth().voxels(label); }

@@ -180,25 +180,31 @@ Call drawSegment() {
             }};
 }
 
+FineSet setOfBox(const Box3& box) {
+    FineSet set(kDims);
+    set.add(box, box, std::vector<std::uint8_t>(box.volume(), 1));
+    return set;
+}
+
+// Makes the segment at work a box.
+Call drawReplacing() {
+    const glm::ivec3 lo = drawVoxel();
+    const Box3 box = vs::intersect({lo, lo + 1 + *below(20)}, {glm::ivec3(0), kDims});
+    return {fmt::format("replace by ({} {} {})", lo.x, lo.y, lo.z), [box](Both& both, Undos& undos) {
+                both.whole.replace(box, std::vector<std::uint8_t>(box.volume(), 1), &undos.whole);
+                both.finest.replace(setOfBox(box), &undos.finest);
+            }};
+}
+
 // Paints a box, or takes it away.
 Call drawPainting() {
     const glm::ivec3 lo = drawVoxel();
-    const Box3 box = intersect({lo, lo + 1 + *below(20)}, {glm::ivec3(0), kDims});
+    const Box3 box = vs::intersect({lo, lo + 1 + *below(20)}, {glm::ivec3(0), kDims});
     const bool isToAdd = *test::coin();
     return {fmt::format("paint at ({} {} {}) {}", lo.x, lo.y, lo.z, isToAdd),
             [box, isToAdd](Both& both, Undos& undos) {
                 both.whole.paint(box, std::vector<std::uint8_t>(box.volume(), 1), isToAdd, &undos.whole);
-                std::map<std::uint32_t, FineGrowth::BrickEdit> edits;
-                forEachVoxel(box, [&](glm::ivec3 v, std::size_t) {
-                    FineGrowth::BrickEdit& edit = edits[both.finest.brickOf(v)];
-                    edit.brick = both.finest.brickOf(v);
-                    set(isToAdd ? edit.given : edit.taken, cellOf(v & (field::kBrick - 1)));
-                });
-                std::vector<FineGrowth::BrickEdit> all;
-                for (const auto& [brick, edit] : edits) {
-                    all.push_back(edit);
-                }
-                both.finest.edit(all, &undos.finest);
+                both.finest.paint(setOfBox(box), isToAdd, &undos.finest);
             }};
 }
 
@@ -212,6 +218,7 @@ rc::Gen<Call> anyCall() {
                                                       {4, &drawPlayhead},
                                                       {4, &drawSegment},
                                                       {2, &drawPainting},
+                                                      {1, &drawReplacing},
                                                       {1, &drawReset}});
     return rc::gen::exec([draw] { return (*draw)(); });
 }

@@ -130,7 +130,8 @@ TEST_F(SegmentsTest, EditsAreThePureFunctions) {
     unary(Kind::Close, 12, [&](const VoxelSet& s) { return segment::closing(s, geometry, 12); });
     unary(Kind::Smooth, 2, [&](const VoxelSet& s) { return segment::smooth(s, geometry, 2); });
     unary(Kind::Hollow, 1.3, [&](const VoxelSet& s) { return segment::hollow(s, geometry, 1.3); });
-    expectEdit(editOf(Kind::Unite, 0, "Other"), segment::unite);
+    expectEdit(editOf(Kind::Unite, 0, "Other"),
+               [](const VoxelSet& a, const VoxelSet& b) { return segment::unite(a, b); });
     expectEdit(editOf(Kind::Subtract, 6, "Other"), [&](const VoxelSet& a, const VoxelSet& b) {
         return segment::subtract(a, segment::changeMargin(b, geometry, 6));
     });

@@ -91,7 +91,7 @@ std::vector<Operation> segmentOperations() {
         ShowSegments{"Liver"}, PullOut{"Liver", {{1, -2.5, 3}, {10, 20, -30}, 1.25}},
         PullOut{"Segment 1", {}}, PutBack{"Liver"},
         EditSegment{EditSegment::Kind::DropIsland, 2.5, "Liver", glm::dvec2(12.5, 40), glm::ivec3(3, 4, 5),
-                    someCanvas()},
+                    glm::ivec3(24, 32, 40), someCanvas()},
         BrushSegment{true, Peel{line, 2, 4, false, someCanvas()}}, BrushSegment{false, Drill(someDrill())},
         BrushSegment{true, Laser(someLaser())},
         BrushSegment{false, Scissors{line, true, 12.5, 2, false, someCanvas()}},

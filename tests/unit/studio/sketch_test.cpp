@@ -112,6 +112,44 @@ TEST(Sketch, AreasCoverThePixelsInsideByTheEvenOddRule) {
     });
 }
 
+TEST(Trail, OnAFinerLevelIsThatLevelsOwn) {
+    test::checkProperty(30, [] {
+        // Voxels are half and a quarter as large, and a third as large in the middle: of the coarser grid's
+        // voxels all of theirs lie within.
+        const field::BrickGrid grid{{150, 60, 40}, 32, {2, 3, 4}, {0.5, 1, 1.5}, 0.25, {0.5, 1.0 / 3, 0.25}};
+        const volume::GridGeometry scene = volume::makeGeometry({75, 20, 10}, {1, 1.5, 4});
+        const volume::GridGeometry finer = field::finerGeometry(scene, grid);
+        const auto place = [] {
+            return glm::dvec3(*test::between(-5, 80), *test::between(-5, 25), *test::between(-2, 12));
+        };
+        Trail trail{{place(), place(), place()}, *test::between(1, 9)};
+        const auto told = [&](const glm::dvec3& p) { return p * grid.perSceneVoxel + grid.origin; };
+        const auto onFiner = [&](std::optional<double> layer) {
+            Trail finest = trail;
+            std::transform(trail.points.begin(), trail.points.end(), finest.points.begin(), told);
+            if (layer) {
+                finest.points.front()[*trail.axis] = *layer;
+            }
+            return voxelsAlong(finest, finer).within(finer.box());
+        };
+        RC_ASSERT(finestAlong(trail, grid, finer).within(finer.box()) == onFiner({}).inside);
+        // A disc is as thick as its slice, and nothing beside it.
+        trail.axis = *test::below(3);
+        const segment::FineSet disc = finestAlong(trail, grid, finer);
+        const auto slice = std::floor(trail.points.front()[*trail.axis] + 0.5);
+        for (int layer = 0; layer < grid.dims[*trail.axis]; ++layer) {
+            const double inScene = (layer - grid.origin[*trail.axis]) / grid.perSceneVoxel[*trail.axis];
+            const bool isInSlice = std::floor(inScene + 0.5) == slice;
+            Box3 box = finer.box();
+            box.lo[*trail.axis] = layer;
+            box.hi[*trail.axis] = layer + 1;
+            const auto expected =
+                isInSlice ? onFiner(layer).within(box).inside : std::vector<std::uint8_t>(box.volume());
+            RC_ASSERT(disc.within(box) == expected);
+        }
+    });
+}
+
 TEST(Trail, BallsCoverTheVoxelsWhoseCentresAreNear) {
     test::checkProperty(200, [] {
         auto geometry = volume::makeGeometry({14, 11, 9}, {1.0, 0.7, 2.5});

@@ -79,9 +79,10 @@ float exactSideAt(vec3 p) { return sideAs(p, 0.0); }
 
 // Both as they are wherever in textures the data and the sculpture are kept (x content, y side), which is not
 // said of segments and transfer functions: for where they are closer to zero than slack(), or decide where a
-// surface lies. Values are rounded, and so are places in a texture, by
-// some 1e-4 of a texel where its unit has floats. Those that know 256 places from one texel to the next may
-// be off by more.
+// surface lies. Values are rounded, and so are places in a texture, by some 1e-4 of a texel where its unit
+// has floats. Units that know 256 places from one texel to the next may be off by more: by three times half a
+// place of the sculpture, which rises by no more than one from voxel to voxel.
+const float kSideSlack = 8e-3;
 #ifdef LOOKS_AGAIN
 float exactContentAt(vec3 p) {
 #if CONTENT == 0
@@ -90,15 +91,10 @@ float exactContentAt(vec3 p) {
     return max(exactDataShownAt(p), segmentationAt(p) - 0.5);
 #endif
 }
-#ifdef FINER_CUTS
-const float kSideSlack = 8e-3; // cuts lie in the bricks' slots: about 1/256 of a texel along three axes
-#else
-const float kSideSlack = 1e-4;
-#endif
 vec2 slack() { return vec2(32.0 * max(valueScale.w, limits.w) / rangeWidth() + 1e-4, kSideSlack); }
 #else
 float exactContentAt(vec3 p) { return contentAt(p); }
-vec2 slack() { return vec2(0.0); }
+vec2 slack() { return vec2(0.0, kSideSlack); }
 #endif
 vec2 exactPartsAt(vec3 p) { return vec2(exactContentAt(p), exactSideAt(p)); }
 

@@ -34,17 +34,18 @@ FineSet FineGrowth::voxels(std::uint8_t label) const {
     FineSet set(dims());
     const std::uint32_t last =
         label == label_ ? std::uint32_t(run_.state.playhead) : std::numeric_limits<std::uint32_t>::max();
-    for (const auto& [brick, cells] : map_) {
-        if (!cells->holds(label, 0)) {
+    for (const auto& entry : map_) {
+        const FineCells& cells = *entry.second;
+        if (!cells.holds(label, 0)) {
             continue;
         }
         CellBits bits{};
-        cells->forEachGrown([&](std::size_t cell, std::uint32_t generation) {
-            if (generation <= last && cells->label(cell) == label) {
+        cells.forEachGrown([&](std::size_t cell, std::uint32_t generation) {
+            if (generation <= last && cells.label(cell) == label) {
                 segment::set(bits, cell);
             }
         });
-        set.add(brick, bits);
+        set.add(entry.first, bits);
     }
     return set;
 }
@@ -62,8 +63,9 @@ void FineGrowth::paint(const FineSet& set, bool isToAdd, FineUndo* undo) {
 FineSet FineGrowth::inRange(const FineSet& set, const Range& range) const {
     FineSet result(dims());
     volume::visitType(values_->type(), [&](const auto* none) {
-        for (const auto& [brick, bits] : set.bricks()) {
-            const Box3 box = set.boxOf(brick);
+        for (const auto& entry : set.bricks()) {
+            const CellBits& bits = entry.second;
+            const Box3 box = set.boxOf(entry.first);
             const Box3 block = values_->blockBox(box.lo);
             const auto values = values_->blockAround(box.lo);
             const auto* here = reinterpret_cast<decltype(none)>(values->data());
@@ -79,7 +81,7 @@ FineSet FineGrowth::inRange(const FineSet& set, const Range& range) const {
                     segment::set(kept, cell);
                 }
             });
-            result.add(brick, kept);
+            result.add(entry.first, kept);
         }
     });
     return result;

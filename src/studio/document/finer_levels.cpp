@@ -23,6 +23,8 @@ namespace {
 // What a voxel that is worked on takes beside its value: sculpture, labels, generations, membership, cells
 // (doc/performance.md, "Memory on the device").
 constexpr std::size_t kWorkBytes = 10;
+// What strokes take that cut the finest level, window by window.
+constexpr std::size_t kWindowBytes = std::size_t(40) << 20;
 // More voxels are not worked on unless they are asked for: they take long to read.
 constexpr std::size_t kManyVoxels = std::size_t(1) << 27;
 // What bricks take where nobody said how much they may: more would hardly ever be used.
@@ -67,7 +69,8 @@ std::size_t bytesOfBricks(int count, int side, volume::ScalarType type) {
 field::DetailOptions optionsFor(const MemoryBudgets& budgets, std::size_t workBytes,
                                 volume::ScalarType type) {
     field::DetailOptions options;
-    const std::size_t left = budgets.deviceBytes - std::min(workBytes, budgets.deviceBytes / 2);
+    const std::size_t left =
+        budgets.deviceBytes - std::min(workBytes + kWindowBytes, budgets.deviceBytes / 2);
     options.deviceBytes = budgets.isDeviceChosen ? left : std::min(left, kUsualPool);
     options.hostBytes = budgets.hostBytes / 4;
     // Many small bricks fit rays better than few large ones.

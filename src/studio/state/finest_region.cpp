@@ -23,7 +23,7 @@ FinestRegion::FinestRegion(const FinestLevel& level, const field::Field& scene,
           std::make_unique<segment::FineValues>(level.source, scene, geometry(scene.geometry),
                                                 level.hostBytes, level.threads),
           [&sculpture] { return sculpture.finer()->reader(); }, level.hostBytes / 2),
-      sceneDims_(scene.geometry.dims), view_(level.grid, scene.geometry.dims) {}
+      view_(level.grid, scene.geometry.dims) {}
 
 std::vector<glm::ivec3> FinestRegion::finestIn(const std::vector<glm::ivec3>& sceneVoxels) const {
     std::vector<glm::ivec3> finest;

@@ -51,7 +51,6 @@ public:
 private:
     field::BrickGrid grid_;
     segment::FineGrowth growth_;
-    glm::ivec3 sceneDims_;
     segment::SceneView view_;
 };
 

@@ -179,16 +179,30 @@ TEST_F(FinerGrowthTest, WhatIsCutFencesIt) {
     EXPECT_GT(countOf(labels, 1), 5000U);
 }
 
-TEST_F(FinerGrowthTest, EditsFollowTheScenesVoxels) {
+TEST_F(FinerGrowthTest, EditsAreThoseOfAllOfTheFinestLevel) {
     InBricks inBricks;
-    Document& document = *inBricks.document;
-    document.apply(paintAround({20, 20, 20}));
-    const auto scene = document.region().labelMap();
-    EXPECT_EQ(countOf(inBricks.labels(), 1), 8 * countOf(scene, 1)); // all of each voxel
-    document.apply(edit(EditSegment::Kind::Margin, 4));
-    const auto wider = document.region().labelMap();
-    EXPECT_EQ(countOf(inBricks.labels(), 1), 8 * countOf(wider, 1));
-    EXPECT_GT(countOf(wider, 1), countOf(scene, 1));
+    Head whole;
+    PaintSegment paint = paintAround({20.3, 20, 20.6});
+    inBricks.document->apply(paint);
+    const field::BrickGrid& grid = inBricks.document->region().finestGrid();
+    paint.trail.points.front() = paint.trail.points.front() * grid.perSceneVoxel + grid.origin;
+    whole.apply(paint);
+    ASSERT_GT(countOf(inBricks.labels(), 1), 500U);
+    ASSERT_EQ(whole.region().labelMap(), inBricks.labels());
+    using Kind = EditSegment::Kind;
+    for (const EditSegment& op :
+         {edit(Kind::Margin, 4), edit(Kind::Smooth, 2), edit(Kind::Hollow, 3), edit(Kind::FillHoles, 0),
+          edit(Kind::Open, 1.5), edit(Kind::KeepLargest, 0)}) {
+        const auto before = inBricks.labels();
+        whole.apply(op);
+        inBricks.document->apply(op);
+        const auto after = inBricks.labels();
+        ASSERT_EQ(whole.region().labelMap(), after) << nameOf(op.kind);
+        inBricks.document->apply(Undo{});
+        EXPECT_EQ(inBricks.labels(), before) << nameOf(op.kind);
+        inBricks.document->apply(Redo{});
+        EXPECT_EQ(inBricks.labels(), after) << nameOf(op.kind);
+    }
 }
 
 // Pictures at rest show segments as pictures of the finest level would, whole and cut, with room for a few

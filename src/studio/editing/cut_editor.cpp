@@ -245,7 +245,7 @@ segment::VoxelSet CutEditor::takeBackAndTell(sculpt::SculptureDelta& delta,
     return set;
 }
 
-// Likewise, of the finest level.
+// Does that for voxels of the finest level, in whatever range.
 segment::FineSet CutEditor::takeBackAndTellFinest(sculpt::SculptureDelta& delta) {
     static_assert(sculpt::kFineBrick == field::kBrick); // both number bricks alike
     const sculpt::FineSculpture& finer = *contents_.sculpture.finer();

@@ -28,9 +28,9 @@ glm::ivec3 finestAt(const glm::dvec3& place, const field::BrickGrid& grid) {
 
 // What an edit makes of a set of voxels of a grid. `onIsland`: the voxel that islands are named by, and of a
 // level that is finer than the scene's how far from it they may lie.
-template <typename Set, typename... OnIsland>
+template <typename Set, typename... Reach>
 Set edited(const EditSegment& op, const Set& set, const Set& other, const volume::GridGeometry& geometry,
-           segment::Connectivity connectivity, glm::ivec3 onIsland, OnIsland... reach) {
+           segment::Connectivity connectivity, glm::ivec3 onIsland, Reach... reach) {
     switch (op.kind) {
     case Kind::KeepIsland:
         return segment::keepIsland(set, onIsland, connectivity, reach...);
@@ -121,7 +121,7 @@ Outcome SegmentShapeEditor::run(EditSegment& op) {
                         contents_.segments.working().name);
         }
     }
-    if (needsVoxel(op.kind) && !op.voxel && !op.finest) {
+    if (needsVoxel(op.kind) && !op.voxel && !(contents_.region.isFiner() && op.finest)) {
         if (!op.pixel) {
             throw Error("'{}' needs a pixel on the island, or one of its voxels", name(op));
         }

@@ -205,6 +205,20 @@ TEST_F(FinerGrowthTest, EditsAreThoseOfAllOfTheFinestLevel) {
     }
 }
 
+// A voxel of a level that is not there names no island: it is looked for under the pixel again.
+TEST_F(FinerGrowthTest, IslandsOfTheSceneAreNotNamedByFinestVoxels) {
+    Head whole;
+    whole.apply(seedAt(200, 130));
+    whole.apply(Grow{3});
+    const auto grown = countOf(whole.region().labelMap(), 1);
+    EditSegment keep = edit(EditSegment::Kind::KeepIsland, 0);
+    keep.pixel = glm::dvec2(206, 132);
+    keep.finest = glm::ivec3(0);
+    keep.canvas = testCanvas();
+    whole.apply(keep);
+    EXPECT_GT(countOf(whole.region().labelMap(), 1), grown / 2);
+}
+
 // Pictures at rest show segments as pictures of the finest level would, whole and cut, with room for a few
 // bricks or many.
 TEST_F(FinerGrowthTest, SegmentsAreSeenAsTheyAre) {

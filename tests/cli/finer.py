@@ -130,6 +130,29 @@ class Finer(ScanCase):
                 self.assertTrue(numpy.array_equal(shaped[0], wanted[0]), msg=f"{(shaped[0] != wanted[0]).sum()} voxels differ")
                 self.assertEqual(shaped[1], wanted[1])
 
+    def test_segments_cut_and_spare_the_finest_level_whatever_is_worked_on(self):
+        skin = {"op": "segment", "segment": "Skin", "tools": "spare"}
+        steps = {"a segment with a margin": [{"op": "segment", "segment": "Segment 1"}, {"op": "cut segment", "keeps": False, "margin": 1.5}],
+                 "all but a segment": [{"op": "segment", "segment": "Segment 1"}, {"op": "cut segment", "keeps": True, "margin": -0.5}],
+                 "beside what is spared": [skin, {"op": "segment", "segment": "Segment 1"}, {"op": "cut segment", "keeps": False, "margin": 4}, CUTS[2], CUTS[6]],
+                 "what is not connected": [skin, {"op": "keep connected", "voxel": [66, 80, 64]}]}
+        store = self.store()
+        for what, cuts in steps.items():
+            operations = SHAPES + cuts + [{"op": "sculpture", "file": "s.zarr"}, {"op": "labels", "file": "l.zarr"}]
+            session = self.session("s.json", store, operations)
+            dense, _, _ = self.run_session(session, "dense", "--level", 0)
+            wanted = self.values(dense / "s.zarr")
+            labels = self.values(dense / "l.zarr")
+            self.assertGreater((wanted > 0.5).sum(), 10_000, what)
+            for level in (1, 2):
+                with self.subTest(what=what, level=level):
+                    bricks, _, _ = self.run_session(session, f"bricks{level}", "--level", level)
+                    self.assertTrue(numpy.array_equal(self.values(bricks / "l.zarr"), labels))
+                    cut = self.values(bricks / "s.zarr")
+                    self.assertLess((numpy.abs(cut - wanted) > 0.02).mean(), 2e-4)
+                    if skin in cuts:
+                        self.assertEqual(((cut >= 0.5) & (labels == 2)).sum(), 0)
+
     def test_surfaces_are_of_the_finest_level_whatever_is_worked_on(self):
         session = self.session("s.json", self.store(), GROWTH)
         wanted = None
@@ -166,6 +189,34 @@ class Finer(ScanCase):
                 level1 = zarr.open_group(str(labels), "r")["1"][:]
                 self.assertTrue(numpy.array_equal(again != 0, level1 != 0))
         self.assertTrue(numpy.array_equal(values, self.values(out / "op.zarr")))
+
+    def test_label_maps_of_the_finest_level_are_loaded_voxel_by_voxel(self):
+        """From a store or a file; what is done to them then is what is done where all of that level is worked on."""
+        store = self.store()
+        grown, _, _ = self.run_session(
+            self.session("s.json", store, GROWTH + [{"op": "labels", "file": "l.nrrd"}, {"op": "labels", "file": "l.zarr"}]), "grown")
+        wanted = read_nrrd(grown / "l.nrrd")
+        self.assertGreater((wanted == 2).sum(), 1000)
+        after = [{"op": "edit segment", "edit": "smooth", "amount": 1.2}, {"op": "cut segment", "keeps": False, "margin": 1}]
+        written = [{"op": "labels", "file": "out.zarr"}]
+        results = {}
+        for labels in ("l.nrrd", "l.zarr"):
+            load = [{"op": "load labels", "path": str(grown / labels)}]
+            for level in (0, 1):
+                with self.subTest(labels=labels, level=level):
+                    name = f"{labels}-{level}"
+                    out, _, _ = self.run_session(self.session("l.json", store, load + written), name, "--level", level)
+                    self.assertTrue(numpy.array_equal(self.values(out / "out.zarr"), wanted))
+                    session = self.session("a.json", store, load + after + written)
+                    out, _, _ = self.run_session(session, name + "-after", "--level", level)
+                    results[labels, level] = self.values(out / "out.zarr")
+                    self.assertTrue(numpy.array_equal(results[labels, level], results["l.nrrd", 0]))
+        self.assertFalse(numpy.array_equal(results["l.nrrd", 0], wanted))
+        for labels in ("l.nrrd", "l.zarr"): # checksums of maps that were read in bricks are known however they are read
+            for level in (0, 1):
+                load = [{"op": "load labels", "path": str(grown / labels), "checksum": "sets-0123456789abcdef"}]
+                self.refuse("is not the label map that was opened", "run", self.session("c.json", store, load), "-o", self.folder / "refused",
+                            "--level", level)
 
     def test_voxels_of_the_finest_level_are_told_to_what_there_is(self):
         """A session that speaks of them alone, where nothing is finer than what is worked on: the scan itself, or a coarser level by itself."""

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sculpt/sculpture/cut_target.h"
 
+#include "base/check.h"
 #include "base/progress.h"
 #include "field/field.h"
 
@@ -29,8 +30,32 @@ Sculpture& FineWindow::look(const FineSculpture& fine, const Box3& box, const Li
         shown_ = box;
         version_ = fine.version();
     }
-    sculpture_.limitTo(limits);
+    sculpture_.limitTo(limitsIn(shown_, limits));
     return sculpture_;
+}
+
+Limits FineWindow::limitsIn(const Box3& box, const Limits& limits) {
+    if (limits.finest == nullptr) {
+        VS_CHECK(limits.memberships == nullptr);
+        return {};
+    }
+    if (limited_.lock() != limits.finest || limitedBox_ != box) {
+        limited_.reset();
+        if (!memberships_) {
+            memberships_ = gl::Texture(glm::ivec3(kSide), gl::Format::RG8, gl::Filter::Nearest,
+                                       "limits at the finest level");
+        }
+        const Box3 texels{glm::ivec3(0), box.size()};
+        const std::vector<std::byte> bytes = (*limits.finest)(box);
+        if (bytes.empty()) {
+            memberships_.clear(texels);
+        } else {
+            memberships_.upload(texels, bytes);
+        }
+        limited_ = limits.finest;
+        limitedBox_ = box;
+    }
+    return {&memberships_, limits.takesOnly};
 }
 
 std::vector<std::byte> FineWindow::texels(const Box3& box) const {
@@ -62,12 +87,7 @@ Box3 FineTarget::cutIn(const Box3& box, const Work& work, const Reaches& reaches
 
 // Half of what was cut is taken back by whoever holds the originals, if something is thrown.
 Box3 FineTarget::cutInWindow(const Box3& box, const Work& work) {
-    Limits limits = derived_.limits();
-    if (limits.memberships != nullptr) {
-        const field::BrickGrid& grid = fine_.grid();
-        limits.place = Limits::Place{1.0 / grid.perSceneVoxel, -grid.origin / grid.perSceneVoxel};
-    }
-    Sculpture& window = window_.look(fine_, box, limits);
+    Sculpture& window = window_.look(fine_, box, derived_.limits());
     window_.disagrees();
     const Box3 changed = toBricks(intersect(work({&window, box, nullptr}), box), fine_.dims());
     if (!changed.isEmpty()) {
@@ -78,7 +98,7 @@ Box3 FineTarget::cutInWindow(const Box3& box, const Work& work) {
 }
 
 bool FineTarget::fill(const Box3& brick, Combine how) {
-    if (derived_.limits().memberships != nullptr) {
+    if (!mostEnergiesAtFinest(derived_.limits(), brick).empty()) {
         return false;
     }
     if (fine_.fill(brick.lo / kFineBrick, how == Combine::Cut, originals_)) {

@@ -71,9 +71,14 @@ public:
     [[nodiscard]] std::vector<std::byte> texels(const Box3& box) const;
 
 private:
+    Limits limitsIn(const Box3& box, const Limits& limits);
+
     Sculpture sculpture_;
     Box3 shown_;
-    std::optional<std::uint64_t> version_; // of the fine sculpture
+    std::optional<std::uint64_t> version_;       // of the fine sculpture
+    gl::Texture memberships_;                    // where tools may work; made when first needed
+    std::weak_ptr<const Limits::InBox> limited_; // by which they were found, in this box
+    Box3 limitedBox_;
 };
 
 // The finer sculpture of one that is derived from it. What is cut is seen in both when cutIn() or finish()

@@ -50,7 +50,7 @@ private:
 } // namespace
 
 void FineSculpture::raise(const Box3& sceneBox, std::span<const float> before, std::span<const float> after,
-                          FineBricks& originals) {
+                          FineBricks& originals, const Limits& limits) {
     constexpr float kHair = 1e-3F;
     const SceneValues was(sceneBox, before);
     const SceneValues is(sceneBox, after);
@@ -79,7 +79,8 @@ void FineSculpture::raise(const Box3& sceneBox, std::span<const float> before, s
         if (!any) {
             return;
         }
-        if (all && is.range(scene).lo >= 1) {
+        const std::vector<float> most = mostEnergiesAtFinest(limits, box);
+        if (all && is.range(scene).lo >= 1 && most.empty()) {
             const std::lock_guard lock(mutex);
             fill(brick, true, originals);
             return;
@@ -92,7 +93,8 @@ void FineSculpture::raise(const Box3& sceneBox, std::span<const float> before, s
         forEachVoxel(box, [&](glm::ivec3 v, std::size_t i) {
             const glm::dvec3 p = (glm::dvec3(v) - grid_.origin) / grid_.perSceneVoxel;
             const float to = is.between(p);
-            values[i] = isRaised(was.between(p), to) ? std::max(values[i], to) : values[i];
+            const float limited = most.empty() ? to : std::min(to, most[i]);
+            values[i] = isRaised(was.between(p), to) ? std::max(values[i], limited) : values[i];
         });
         const auto raised = texelsOf(values, precision_);
         const std::lock_guard lock(mutex);

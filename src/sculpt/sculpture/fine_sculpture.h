@@ -3,6 +3,7 @@
 
 #include "field/bricks/brick_grid.h"
 #include "field/bricks/brick_overlay.h"
+#include "sculpt/sculpture/limits.h"
 #include "sculpt/sculpture/precision.h"
 
 #include <cstddef>
@@ -61,10 +62,10 @@ public:
     // A whole brick is cut, or whole again. Returns whether it was not.
     bool fill(glm::ivec3 brick, bool isCut, FineBricks& before);
     // Follows a cut that was made in the scene's sculpture: where its values in a box of the scene's voxels
-    // (x fastest) rose, voxels rise to what is between them there. What was there before is added to
-    // `originals`, as put() does.
+    // (x fastest) rose, voxels rise to what is between them there, as far as limits let them. What was there
+    // before is added to `originals`, as put() does.
     void raise(const Box3& sceneBox, std::span<const float> before, std::span<const float> after,
-               FineBricks& originals);
+               FineBricks& originals, const Limits& limits = {});
     // Undo and redo. When it throws, nothing has changed.
     void swap(FineDelta& delta);
     // What undoes all that has happened since `before` was begun. Bricks that are as they were are left out.

@@ -22,23 +22,6 @@ Box3 cellsOf(const Box3& voxels, glm::ivec3 cellCount) {
 
 } // namespace
 
-std::vector<float> mostEnergies(const Limits& limits, const Box3& box) {
-    if (limits.memberships == nullptr) {
-        return {};
-    }
-    const std::size_t channels = gl::bytesPerTexel(limits.memberships->format());
-    const auto bytes = limits.memberships->download(box);
-    std::vector<float> most(box.volume());
-    for (std::size_t i = 0; i < most.size(); ++i) {
-        const auto membership = [&](std::size_t channel) {
-            return channel < channels ? float(std::to_integer<int>(bytes[channels * i + channel])) / 255.0F
-                                      : 0.0F;
-        };
-        most[i] = std::min(1 - membership(0), limits.takesOnly ? membership(1) : 1.0F);
-    }
-    return most;
-}
-
 Sculpture::Sculpture(glm::ivec3 dims, Precision precision)
     : dims_(dims), precision_(precision),
       cells_(field::cellDims(dims), gl::Format::RG32F, gl::Filter::Nearest, "sculpture cells"),
@@ -65,9 +48,6 @@ gl::Defines Sculpture::defines() const {
     gl::Defines defines = storedDefines(precision_);
     if (limits_.memberships != nullptr) {
         defines.emplace_back("LIMITED", "1");
-        if (limits_.place) {
-            defines.emplace_back("LIMITS_COARSER", "1");
-        }
     }
     return defines;
 }
@@ -76,10 +56,6 @@ void Sculpture::bindLimits(gl::Program& program) const {
     if (limits_.memberships != nullptr) {
         limits_.memberships->bindTexture(kLimitsTexture);
         program.set("takesOnly", limits_.takesOnly ? 1 : 0);
-        if (limits_.place) {
-            program.set("limitsScale", glm::vec3(limits_.place->scale))
-                .set("limitsOffset", glm::vec3(limits_.place->offset));
-        }
     }
 }
 
@@ -282,7 +258,7 @@ void Sculpture::cutFiner(SculptureDelta& change) {
                 before[(std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
                        std::size_t(at.x)] = earlier[n];
             });
-            finer_->raise(box, before, after, originals);
+            finer_->raise(box, before, after, originals, limits_);
         }
         change.finer = finer_->since(originals);
         refresh(all);

@@ -8,6 +8,7 @@
 #include "gl/texture.h"
 #include "sculpt/radiation/radiation.h"
 #include "sculpt/sculpture/fine_sculpture.h"
+#include "sculpt/sculpture/limits.h"
 #include "sculpt/sculpture/precision.h"
 #include "sculpt/sculpture/sculpture_delta.h"
 
@@ -20,24 +21,6 @@
 namespace vs::sculpt {
 
 enum class Combine { Cut, Restore };
-
-// Where tools may work, by the memberships of segments (0.5 at their surfaces) on the sculpture's grid: r of
-// what is spared, g of what alone is taken. A voxel gets no more of a tool's energy than 1 - r and, where
-// only some is taken, g. So the faces of a cut lie on those surfaces, and a voxel of what is spared (r at
-// least 0.5) is never cut.
-struct Limits {
-    const gl::Texture* memberships = nullptr; // null: everywhere
-    bool takesOnly = false;
-    // Where the sculpture's grid is finer than theirs: voxel v lies at v * scale + offset among them, and
-    // what is between them counts.
-    struct Place {
-        glm::dvec3 scale{1};
-        glm::dvec3 offset{0};
-    };
-    std::optional<Place> place = {};
-};
-// The greatest energy that a tool may give to each voxel of a box (x fastest); empty: 1 everywhere.
-std::vector<float> mostEnergies(const Limits& limits, const Box3& box);
 
 // What has been cut away: a scalar from 0 (untouched) to 1 (cut) on the volume's grid, the cut face at 0.5.
 // Kept on the device, together with the range of each macrocell for skipping empty space. Its texels take

@@ -1,7 +1,7 @@
 // Combines radiation with the sculpture in the radiation's tiles: one work group a tile, one invocation a
 // line along x. In: storage 0 tile list, image 0 energy (texel t is voxel originVoxel + t), image 2 an
 // earlier sculpture. In/out: image 1 sculpture. Out: storage 1 number of voxels changed.
-// variants: SCULPTURE_BITS=8;SCULPTURE_BITS=16;SCULPTURE_BITS=32;SCULPTURE_BITS=16 LIMITED=1;SCULPTURE_BITS=16 LIMITED=1 LIMITS_COARSER=1
+// variants: SCULPTURE_BITS=8;SCULPTURE_BITS=16;SCULPTURE_BITS=32;SCULPTURE_BITS=16 LIMITED=1
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "sculpt/shaders/bindings.glsl"
@@ -32,7 +32,7 @@ void main() {
     for (int n = 0; n < 8; ++n) {
         ivec3 voxel = texel + originVoxel - firstVoxel;
         if (all(greaterThanEqual(voxel, ivec3(0))) && all(lessThan(voxel, dims))) {
-            float e = min(clamp(imageLoad(energy, texel).r, 0.0, 1.0), mostEnergy(voxel + firstVoxel));
+            float e = min(clamp(imageLoad(energy, texel).r, 0.0, 1.0), mostEnergy(voxel));
             float stored = imageLoad(sculpture, voxel).r;
             float before = base == 0 ? stored : (base == 1 ? imageLoad(earlier, voxel).r : 0.0);
             float remains = e >= 0.5 ? min(1.0 - e, justVisible) : 1.0 - e;

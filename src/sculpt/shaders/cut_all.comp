@@ -1,6 +1,6 @@
 // Cuts tiles whole (or restores them).
 // In/out: image 0 sculpture.
-// variants: SCULPTURE_BITS=8;SCULPTURE_BITS=16;SCULPTURE_BITS=32;SCULPTURE_BITS=16 LIMITED=1;SCULPTURE_BITS=16 LIMITED=1 LIMITS_COARSER=1
+// variants: SCULPTURE_BITS=8;SCULPTURE_BITS=16;SCULPTURE_BITS=32;SCULPTURE_BITS=16 LIMITED=1
 #include "sculpt/shaders/cut_solid.glsl"
 
 void main() {

@@ -2,7 +2,7 @@
 // below the surface seen or through everything. In: texture 0 distances from the outline (pixels, positive
 // inside), with a depth texture 1 where along its ray the solid begins and ends under each pixel (mm,
 // negative: nowhere), and texture 2 the same of what begins nearest around it. In/out: image 0 sculpture.
-// variants: SCULPTURE_BITS=16;SCULPTURE_BITS=16 LIMITED=1;SCULPTURE_BITS=16 LIMITED=1 LIMITS_COARSER=1
+// variants: SCULPTURE_BITS=16;SCULPTURE_BITS=16 LIMITED=1
 #include "sculpt/shaders/cut_solid.glsl"
 
 #include "sculpt/shaders/bindings.glsl"

@@ -1,5 +1,5 @@
 // Cuts what lies outside (or inside) a convex solid.
-// variants: MAX_PLANES=32 SCULPTURE_BITS=16;MAX_PLANES=32 SCULPTURE_BITS=16 LIMITED=1;MAX_PLANES=32 SCULPTURE_BITS=16 LIMITED=1 LIMITS_COARSER=1
+// variants: MAX_PLANES=32 SCULPTURE_BITS=16;MAX_PLANES=32 SCULPTURE_BITS=16 LIMITED=1
 // In/out: image 0 sculpture.
 #include "sculpt/shaders/cut_solid.glsl"
 

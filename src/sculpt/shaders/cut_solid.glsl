@@ -35,7 +35,7 @@ float energyBehind(float distance) {
 }
 
 void combineVoxel(ivec3 voxel, float wholeEnergy) {
-    float energy = min(wholeEnergy, mostEnergy(voxel));
+    float energy = min(wholeEnergy, mostEnergy(voxel - firstVoxel));
     if (energy > negligible) {
         float before = imageLoad(sculpture, voxel - firstVoxel).r;
         float e = energy > 1.0 - negligible ? 1.0 : energy;

@@ -1,6 +1,6 @@
 // Cuts by energies given for each voxel.
 // In: image 1 energies of the voxels that the sculpture has. In/out: image 0 sculpture.
-// variants: SCULPTURE_BITS=16;SCULPTURE_BITS=16 LIMITED=1;SCULPTURE_BITS=16 LIMITED=1 LIMITS_COARSER=1
+// variants: SCULPTURE_BITS=16;SCULPTURE_BITS=16 LIMITED=1
 #include "sculpt/shaders/cut_solid.glsl"
 
 #include "sculpt/shaders/bindings.glsl"

@@ -121,4 +121,22 @@ Values<float> smoothedAlong(int axis, const glm::vec4& weights, const Values<flo
     return to;
 }
 
+Values<std::uint8_t> membershipOf(const Members& members, Member whose, const Box3& own,
+                                  const glm::dvec3& spacing, Smoothing smoothing) {
+    Values<float> values(grow(own, kKernelReach)); // nothing lies outside the grid
+    forEachVoxel(intersect(values.box, members.box),
+                 [&](glm::ivec3 v, std::size_t) { values.at(v) = members.at(v) == whose ? 1.0F : 0.0F; });
+    const double step = std::min({spacing.x, spacing.y, spacing.z});
+    for (int axis = 0; smoothing == Smoothing::Smooth && axis < 3; ++axis) {
+        values = smoothedAlong(axis, smoothingKernel(step, spacing[axis]), values);
+    }
+    Values<std::uint8_t> result(own);
+    forEachVoxel(own, [&](glm::ivec3 v, std::size_t i) {
+        const bool isMember = members.at(v) == whose;
+        const int texel = int(std::lround(std::clamp(values.at(v), 0.0F, 1.0F) * 255));
+        result.all[i] = std::uint8_t(isMember ? std::max(texel, 255 - texel) : std::min(texel, 255 - texel));
+    });
+    return result;
+}
+
 } // namespace vs::segment

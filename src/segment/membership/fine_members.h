@@ -81,4 +81,9 @@ void goOnBehindCuts(Members& members);
 // much narrower along it.
 Values<float> smoothedAlong(int axis, const glm::vec4& weights, const Values<float>& from);
 
+// How much of the voxels in a box belongs to one of them, from 0 to 255: at least half at its voxels, less at
+// all others. `members` are known as far around the box as the kernel reaches; `spacing` in mm.
+Values<std::uint8_t> membershipOf(const Members& members, Member whose, const Box3& own,
+                                  const glm::dvec3& spacing, Smoothing smoothing);
+
 } // namespace vs::segment

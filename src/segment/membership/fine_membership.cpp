@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -249,27 +248,10 @@ private:
         }
     }
 
-    // How much belongs to one channel, from 0 to 255: at least half at its voxels, less at all others.
     [[nodiscard]] Values<std::uint8_t> membership(const Members& members, Member channel, const Box3& own,
                                                   const field::BrickGrid& level) const {
-        Values<float> values(grow(own, kKernelReach)); // nothing lies outside the grid
-        forEachVoxel(intersect(values.box, members.box), [&](glm::ivec3 v, std::size_t) {
-            values.at(v) = members.at(v) == channel ? 1.0F : 0.0F;
-        });
-        const bool isSmooth = shown_.smoothing == Smoothing::Smooth;
-        const glm::dvec3 spacing = shown_.sceneSpacing / level.perSceneVoxel;
-        const double step = std::min({spacing.x, spacing.y, spacing.z});
-        for (int axis = 0; isSmooth && axis < 3; ++axis) {
-            values = smoothedAlong(axis, smoothingKernel(step, spacing[axis]), values);
-        }
-        Values<std::uint8_t> result(own);
-        forEachVoxel(own, [&](glm::ivec3 v, std::size_t i) {
-            const bool isMember = members.at(v) == channel;
-            const int texel = int(std::lround(std::clamp(values.at(v), 0.0F, 1.0F) * 255));
-            result.all[i] =
-                std::uint8_t(isMember ? std::max(texel, 255 - texel) : std::min(texel, 255 - texel));
-        });
-        return result;
+        return membershipOf(members, channel, own, shown_.sceneSpacing / level.perSceneVoxel,
+                            shown_.smoothing);
     }
 
     FineMap map_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/membership/segmentation.h"
 
+#include "base/progress.h"
 #include "base/timer.h"
 #include "field/cell_ranges.h"
 #include "gl/context.h"
@@ -381,6 +382,14 @@ std::vector<float> Segmentation::values() const {
         values[i] = float(texels[stride * i]) / 255.0F;
     }
     return values;
+}
+
+void updateWholly(Segmentation& segmentation, const Growth& growth, const Looks& looks) {
+    constexpr double kPortionMs = 100; // between asking whether to go on
+    do {
+        segmentation.update(growth, Smoothing::Smooth, looks, kPortionMs);
+        reportProgress();
+    } while (segmentation.isBehind());
 }
 
 } // namespace vs::segment

@@ -181,4 +181,7 @@ private:
     gl::ProgramVariants summarize_{"segment/shaders/summarize_tiles.comp"};
 };
 
+// Brings smooth segments wholly up to date, in portions between which it can be given up (base/progress.h).
+void updateWholly(Segmentation& segmentation, const Growth& growth, const Looks& looks);
+
 } // namespace vs::segment

@@ -15,6 +15,7 @@ Document::~Document() = default;
 
 const volume::Volume& Document::volume() const { return impl_->contents.scan.volume; }
 const volume::GridGeometry& Document::geometryInFile() const { return impl_->contents.scan.inFile; }
+LabelGrids Document::labelGrids() const { return impl_->contents.labelGrids(); }
 const field::Field& Document::field() const { return impl_->contents.scan.field; }
 const std::vector<std::uint32_t>& Document::histogram() const { return impl_->contents.scan.histogram; }
 const View& Document::view() const { return impl_->contents.view; }

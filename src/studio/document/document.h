@@ -12,6 +12,7 @@
 #include "studio/operations/operation.h"
 #include "studio/state/history.h"
 #include "studio/state/picture_content.h"
+#include "studio/state/read_labels.h"
 #include "volume/grid/volume.h"
 
 #include <filesystem>
@@ -47,6 +48,8 @@ public:
     [[nodiscard]] const volume::Volume& volume() const;
     // Where its voxels lie by its file; corrections (CorrectGeometry) are in volume().
     [[nodiscard]] const volume::GridGeometry& geometryInFile() const;
+    // Where labels that are read for it must lie.
+    [[nodiscard]] LabelGrids labelGrids() const;
     [[nodiscard]] const field::Field& field() const;
     // Voxel counts in equal bins over volume().usual, at most 256.
     [[nodiscard]] const std::vector<std::uint32_t>& histogram() const;

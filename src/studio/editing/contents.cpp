@@ -51,4 +51,8 @@ std::string Contents::millilitres(std::size_t voxels) const {
     return fmt::format("{:.1f}", double(voxels) * region.geometry().voxelMm3() / 1000);
 }
 
+LabelGrids Contents::labelGrids() const {
+    return {scan.volume.geometry, region.isFiner() ? std::optional(region.geometry()) : std::nullopt};
+}
+
 } // namespace vs::studio

@@ -10,6 +10,7 @@
 #include "studio/state/history.h"
 #include "studio/state/measured.h"
 #include "studio/state/pasted_parts.h"
+#include "studio/state/read_labels.h"
 #include "studio/state/region.h"
 
 #include <optional>
@@ -34,6 +35,8 @@ struct Contents {
     // The canvas that an operation was drawn on, where it does not say: the present view on the usual
     // viewport.
     void fillIn(std::optional<Canvas>& canvas) const;
+    // Where labels that are read must lie.
+    [[nodiscard]] LabelGrids labelGrids() const;
     // Voxels shown of the segment at work.
     [[nodiscard]] std::size_t grownVoxels() const;
     // So many voxels in ml, with one decimal.

@@ -3,11 +3,10 @@
 
 #include "base/check.h"
 #include "base/error.h"
-#include "base/progress.h"
-#include "segment/edits/margins.h"
-#include "segment/membership/segmentation.h"
+#include "studio/strokes/keep_connected_stroke.h"
 #include "studio/strokes/peel_stroke.h"
 #include "studio/strokes/pen_stroke.h"
+#include "studio/strokes/segment_stroke.h"
 #include "studio/strokes/solid_strokes.h"
 #include "studio/strokes/sweep_stroke.h"
 
@@ -16,15 +15,6 @@
 namespace vs::studio {
 
 namespace {
-
-// A segment's smooth membership on the whole grid: 0.5 at its surface.
-std::vector<float> smoothMembership(const field::Field& field, const segment::VoxelSet& set) {
-    segment::Growth growth(field);
-    growth.replace(set.box, set.inside);
-    segment::Segmentation segmentation(field.geometry);
-    updateWholly(segmentation, growth, segment::allOpaque());
-    return segmentation.values();
-}
 
 const PenCut* penCutOf(const Operation& operation) {
     const Drill* drill = std::get_if<Drill>(&operation);
@@ -106,6 +96,9 @@ void CutEditor::open(Cutter& cutter, const Operation& operation) {
             return std::make_unique<ClipStroke>(cutter, op);
         } else if constexpr (std::is_same_v<Op, KeepConnected>) {
             return std::make_unique<KeepConnectedStroke>(cutter, onCanvas(op.canvas), contents_.region, op);
+        } else if constexpr (std::is_same_v<Op, CutSegment>) {
+            return std::make_unique<SegmentStroke>(cutter, contents_.region, contents_.scan.field,
+                                                   contents_.segments.working(), op);
         } else {
             return nullptr;
         }
@@ -220,6 +213,7 @@ Outcome CutEditor::run(Sweep& op) { return cutAtOnce(op); }
 Outcome CutEditor::run(Scissors& op) { return cutAtOnce(op); }
 Outcome CutEditor::run(Clip& op) { return cutAtOnce(op); }
 Outcome CutEditor::run(KeepConnected& op) { return cutAtOnce(op); }
+Outcome CutEditor::run(CutSegment& op) { return cutAtOnce(op); }
 
 // The voxels of a delta that are cut now and were not before it; of them, where a range is given, those with
 // values in that. The sculpture is as before the delta afterwards.
@@ -319,59 +313,6 @@ std::optional<Range> CutEditor::seenBy(const BrushSegment& op) const {
                               : std::nullopt;
         },
         op.stroke);
-}
-
-sculpt::SculptureDelta CutEditor::cutBy(const segment::VoxelSet& set, const CutSegment& op,
-                                        const std::vector<float>& most) {
-    const auto inside = smoothMembership(
-        contents_.scan.field, segment::changeMargin(set, contents_.scan.volume.geometry, op.marginMm));
-    reportProgress();
-    const Box3 box = contents_.scan.volume.geometry.box();
-    std::vector<float> values = contents_.sculpture.values(box);
-    reportProgress();
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const float energy = op.keeps ? 1 - inside[i] : inside[i];
-        values[i] = std::max(values[i], most.empty() ? energy : std::min(energy, most[i]));
-    }
-    const auto texels = sculpt::texelsOf(values, contents_.sculpture.precision());
-    reportProgress(); // from here on it is done to the end
-    const std::uint64_t content = contents_.sculpture.contentVersion();
-    sculpt::BrickBackup backup(contents_.sculpture.texels());
-    backup.protect(box);
-    contents_.sculpture.upload(box, texels);
-    try {
-        sculpt::SculptureDelta delta(backup.finish());
-        contents_.sculpture.cutFiner(delta);
-        return delta;
-    } catch (...) { // no memory to hold what would undo it
-        contents_.sculpture.refresh(backup.restore());
-        contents_.sculpture.contentIsAsAt(content);
-        throw;
-    }
-}
-
-Outcome CutEditor::run(CutSegment& op) {
-    const segment::VoxelSet set = contents_.region.voxelsOf(contents_.segments.atWork);
-    if (set.count() == 0) {
-        throw Error("the segment '{}' is empty; there is nothing to cut by",
-                    contents_.segments.working().name);
-    }
-    const std::uint64_t content = contents_.sculpture.contentVersion();
-    const std::vector<float> most =
-        sculpt::mostEnergies(limits_.find(contents_), contents_.scan.volume.geometry.box());
-    sculpt::SculptureDelta delta = cutBy(set, op, most);
-    const std::size_t changed = delta.changedVoxels();
-    try {
-        Outcome outcome{{}, 0, changed, say(VS_TEXT("library", "%1 voxels changed"), changed)};
-        if (!delta.isEmpty()) {
-            remember(op, delta, !most.empty());
-        }
-        return outcome;
-    } catch (...) {
-        contents_.sculpture.swap(delta);
-        contents_.sculpture.contentIsAsAt(content);
-        throw;
-    }
 }
 
 } // namespace vs::studio

@@ -74,9 +74,6 @@ private:
     // memory for that, it throws, and whoever made the cut must take it back.
     void remember(const Operation& operation, sculpt::SculptureDelta& cut, bool isLimited);
     [[nodiscard]] Phrase saidOf(const sculpt::SculptureDelta& delta) const;
-    // Cuts what lies in a set of voxels, or outside it, with at most so much energy; says what undoes that.
-    sculpt::SculptureDelta cutBy(const segment::VoxelSet& set, const CutSegment& op,
-                                 const std::vector<float>& most);
 
     Contents& contents_;
     Display& display_;

@@ -6,7 +6,7 @@
 #include "segment/edits/label_sets.h"
 #include "studio/editing/seen_cells.h"
 #include "studio/editing/segment_change.h"
-#include "volume/reading/label_map.h"
+#include "studio/state/read_labels.h"
 
 #include <algorithm>
 
@@ -30,25 +30,14 @@ std::string freeName(const SegmentList& segments, const std::string& wanted) {
     return name;
 }
 
-std::shared_ptr<const volume::LabelMap> readMap(const LoadLabels& op, const volume::GridGeometry& grid) {
-    std::vector<std::string> notices; // of geometry: requireSameGrid() says what matters
-    auto map = std::make_shared<volume::LabelMap>(volume::readLabelMap(op.path, notices, &grid));
-    if (!op.checksum.empty() && op.checksum != map->checksum) {
-        throw Error(
-            "{}: is not the label map that was opened (checksum {}, wanted {}); bring that one back, or "
-            "take the checksum out to use this one",
-            op.path.string(), map->checksum, op.checksum);
-    }
-    return map;
-}
-
 // Labels may have been made before or after it was corrected where voxels lie.
-void requireOnGrid(const volume::LabelMap& map, const Scan& scan) {
+void requireOnGrid(const volume::LabelMap& map, const Contents& contents, bool isFinest) {
+    const Scan& scan = contents.scan;
     const std::filesystem::path name = scan.volume.path.empty() ? "the volume" : scan.volume.path;
     try {
-        volume::requireSameGrid(map, scan.volume.geometry, name);
+        volume::requireSameGrid(map, isFinest ? contents.region.geometry() : scan.volume.geometry, name);
     } catch (const Error&) {
-        volume::requireSameGrid(map, scan.inFile, name);
+        volume::requireSameGrid(map, isFinest ? scan.levels->levels().front() : scan.inFile, name);
     }
 }
 
@@ -203,18 +192,19 @@ Outcome SegmentListEditor::run(PutBack& op) {
 std::size_t SegmentListEditor::perform(const LoadLabels& op, Region::Records& records) {
     VS_CHECK(op.map); // states of sessions keep it too
     const volume::LabelMap& map = *op.map;
-    const auto boxes = segment::labelBoxes(map.labels, contents_.scan.volume.geometry.dims);
+    const auto boxes = op.sets ? std::array<Box3, 256>()
+                               : segment::labelBoxes(map.labels, contents_.scan.volume.geometry.dims);
     const std::uint8_t wasAtWork = contents_.segments.atWork;
     bool usesFirst = contents_.segments.segments.size() == 1 && !contents_.segments.working().isLocked &&
                      !contents_.segments.working().isClaimed && !contents_.region.hasSeeds();
     std::size_t voxels = 0;
     for (std::size_t n = 1; n < map.values.size(); ++n) {
         reportProgress(double(n) / double(map.values.size()));
-        const auto look = map.looks.find(map.values[n]);
+        const std::int64_t value = map.values[n];
+        const auto look = map.looks.find(value);
         const bool hasLook = look != map.looks.end();
-        const std::string wanted = hasLook && !look->second.name.empty()
-                                       ? look->second.name
-                                       : fmt::format("Label {}", map.values[n]);
+        const std::string wanted =
+            hasLook && !look->second.name.empty() ? look->second.name : fmt::format("Label {}", value);
         SegmentInfo& info = usesFirst ? contents_.segments.segments.front()
                                       : contents_.segments.add(freeName(contents_.segments, wanted));
         if (usesFirst) {
@@ -226,10 +216,14 @@ std::size_t SegmentListEditor::perform(const LoadLabels& op, Region::Records& re
         }
         const std::uint8_t label = info.label;
         contents_.region.workOn(label, records);
-        contents_.region.replace(
-            segment::setOf(map.labels, contents_.scan.volume.geometry.dims, std::uint8_t(n), boxes[n]),
-            records);
-        voxels += std::size_t(contents_.region.growth()->voxelCount());
+        if (op.sets) {
+            contents_.region.replace(op.sets->at(value), records);
+        } else {
+            contents_.region.replace(
+                segment::setOf(map.labels, contents_.scan.volume.geometry.dims, std::uint8_t(n), boxes[n]),
+                records);
+        }
+        voxels += contents_.region.voxelCount(label);
     }
     contents_.region.workOn(wasAtWork, records);
     return voxels;
@@ -237,10 +231,11 @@ std::size_t SegmentListEditor::perform(const LoadLabels& op, Region::Records& re
 
 Outcome SegmentListEditor::run(LoadLabels& op) {
     if (!op.map) {
-        op.map = readMap(op, contents_.scan.volume.geometry);
+        std::vector<std::string> notices; // of geometry: requireOnGrid() says what matters
+        readLabels(op, contents_.labelGrids(), notices);
     }
     op.checksum = op.map->checksum;
-    requireOnGrid(*op.map, contents_.scan);
+    requireOnGrid(*op.map, contents_, op.sets != nullptr);
     const std::size_t labels = op.map->values.size() - 1;
     if (labels == 0) {
         throw Error("{}: holds no label; a label map has voxels other than 0", op.path.string());

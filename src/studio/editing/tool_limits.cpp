@@ -2,15 +2,17 @@
 #include "studio/editing/tool_limits.h"
 
 #include "base/error.h"
-#include "base/progress.h"
+#include "segment/finer/fine_growth.h"
+#include "segment/membership/set_membership.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <vector>
 
 namespace vs::studio {
 
 namespace {
-
-constexpr double kPortionMs = 100; // between asking whether to go on
 
 using Treatment = SegmentInfo::Treatment;
 
@@ -42,15 +44,45 @@ void requireSomethingToTake(const Contents& contents, const segment::Looks& look
     }
 }
 
-} // namespace
-
-void updateWholly(segment::Segmentation& segmentation, const segment::Growth& growth,
-                  const segment::Looks& looks) {
-    do {
-        segmentation.update(growth, segment::Smoothing::Smooth, looks, kPortionMs);
-        reportProgress();
-    } while (segmentation.isBehind());
+// The voxels of the finest level that have a look, together.
+segment::FineSet finestWith(segment::Look look, const segment::Looks& looks,
+                            const segment::FineGrowth& growth, glm::ivec3 dims) {
+    segment::FineSet all(dims);
+    for (std::size_t label = 1; label < looks.size(); ++label) {
+        if (looks[label] == look) {
+            all = unite(all, growth.voxels(std::uint8_t(label)));
+        }
+    }
+    return all;
 }
+
+// What tools keep to that work on the finest level: what has grown there, or what the scene knows.
+std::shared_ptr<const sculpt::Limits::InBox>
+finestLimits(const Contents& contents, const segment::Looks& looks, const gl::Texture& memberships) {
+    const sculpt::FineSculpture* finer = contents.sculpture.finer();
+    const segment::FineGrowth* growth = contents.region.finest();
+    if (finer == nullptr || growth == nullptr) {
+        return finer == nullptr ? nullptr : sculpt::betweenVoxels(memberships, finer->grid());
+    }
+    const auto spared = finestWith(segment::Look::Opaque, looks, *growth, finer->dims());
+    const auto taken = finestWith(segment::Look::Translucent, looks, *growth, finer->dims());
+    const glm::dvec3 spacing = contents.region.geometry().spacing();
+    return std::make_shared<const sculpt::Limits::InBox>([spared, taken, spacing](const Box3& box) {
+        std::vector<std::byte> bytes;
+        const auto put = [&](const segment::FineSet& set, std::size_t channel) {
+            const std::vector<std::uint8_t> values = segment::membershipOf(set, box, spacing);
+            bytes.resize(std::max(bytes.size(), 2 * values.size()));
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                bytes[2 * i + channel] = std::byte(values[i]);
+            }
+        };
+        put(spared, 0);
+        put(taken, 1);
+        return bytes;
+    });
+}
+
+} // namespace
 
 sculpt::Limits ToolLimits::find(const Contents& contents) {
     const segment::Looks looks = looksFor(contents.segments);
@@ -67,7 +99,7 @@ sculpt::Limits ToolLimits::find(const Contents& contents) {
         serial_ = contents.scan.field.serial;
     }
     updateWholly(*memberships_, *contents.region.growth(), looks);
-    return {&memberships_->texels(), takesOnly};
+    return {&memberships_->texels(), takesOnly, finestLimits(contents, looks, memberships_->texels())};
 }
 
 } // namespace vs::studio

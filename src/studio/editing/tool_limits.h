@@ -9,10 +9,6 @@
 
 namespace vs::studio {
 
-// Brings smooth segments wholly up to date, in portions between which it can be given up (base/progress.h).
-void updateWholly(segment::Segmentation& segmentation, const segment::Growth& growth,
-                  const segment::Looks& looks);
-
 // Where the tools that cut may work: not in segments that are locked or spared, and, where there are segments
 // that alone are taken, only in those (SegmentInfo). Keeps those segments' smooth volume, so that the next
 // stroke costs what has changed in them.

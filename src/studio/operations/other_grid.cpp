@@ -162,21 +162,24 @@ void convertMore(Seed& op, const Seed& before, const OtherGrid& grid) {
     }
     keepFinest(op, before.voxels, grid);
 }
-void convertMore(KeepConnected& op, const KeepConnected& /*before*/, const OtherGrid& /*grid*/) {
-    if (op.canvas) {
-        op.voxel.reset(); // it is looked for again under the pixel
-    }
-}
-void convertMore(EditSegment& op, const EditSegment& before, const OtherGrid& grid) {
+// Likewise, of operations that say one voxel; `isLookedFor`: for the scene's it is looked again.
+template <typename Op>
+void keepOneFinest(Op& op, const Op& before, const OtherGrid& grid, bool isLookedFor) {
     if (grid.isFromFinest && !op.finest) {
         op.finest = before.voxel;
     }
-    if (op.pixel && op.canvas) {
+    if (isLookedFor) {
         op.voxel.reset();
     }
     if (grid.isToFinest && op.finest) {
         op.voxel = std::exchange(op.finest, std::nullopt);
     }
+}
+void convertMore(KeepConnected& op, const KeepConnected& before, const OtherGrid& grid) {
+    keepOneFinest(op, before, grid, op.canvas.has_value());
+}
+void convertMore(EditSegment& op, const EditSegment& before, const OtherGrid& grid) {
+    keepOneFinest(op, before, grid, op.pixel && op.canvas);
 }
 void convertMore(CorrectGeometry& op, const CorrectGeometry& /*before*/, const OtherGrid& grid) {
     op.spacing = op.spacing ? std::optional(*op.spacing / grid.scale) : std::nullopt;

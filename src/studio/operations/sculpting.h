@@ -191,10 +191,11 @@ struct KeepConnected {
                                   "cuts everything visible that is not connected to what is under the pixel "
                                   "(the table below a patient)",
                                   "keep"};
-    static constexpr std::array<const char*, 2> kNeedsOneOf{"pixel", "voxel"};
+    static constexpr std::array<const char*, 3> kNeedsOneOf{"pixel", "voxel", "finest"};
 
     glm::dvec2 pixel{0};
     std::optional<glm::ivec3> voxel = {};
+    std::optional<glm::ivec3> finest = {}; // of the finest level, where tools work on that one
     int connectivity = 26;
     std::optional<Canvas> canvas = {};
 
@@ -203,6 +204,7 @@ struct KeepConnected {
         return std::tuple_cat(
             std::tuple{written("pixel", &KeepConnected::pixel, kPixels),
                        sparse("voxel", &KeepConnected::voxel, kVoxel, "used instead of looking again"),
+                       sparse("finest", &KeepConnected::finest, kFinestVoxel),
                        written("connectivity", &KeepConnected::connectivity, kConnectivity)},
             canvasOf<KeepConnected>());
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "segment/edits/fine_labels.h"
 #include "studio/operations/sculpting.h"
 #include "studio/operations/segment_list.h"
 #include "volume/reading/label_map.h"
@@ -213,7 +214,8 @@ struct UseSegment {
 struct LoadLabels {
     static constexpr About kAbout{
         VS_TEXT("library", "load labels"), Effect::Segments,
-        "makes a segment of each label of a label map on the volume's grid, with the names and colours of a "
+        "makes a segment of each label of a label map on the volume's grid, or on that of its finest level "
+        "where segments grow at that one, with the names and colours of a "
         "3D Slicer segmentation (`.seg.nrrd`), else called `Label 7`; voxels that are in a segment stay "
         "there. The path is absolute or relative to the session file; with a `checksum` another file is "
         "refused"};
@@ -222,6 +224,8 @@ struct LoadLabels {
     std::string checksum = {};  // empty: not checked; filled in when the file is read
     // What was read; when it is set the file is not read again. Not in files.
     std::shared_ptr<const volume::LabelMap> map = {};
+    // Its voxels, where they are those of a finer level than the scene's: then the map has none itself.
+    std::shared_ptr<const segment::LabelSets> sets = {};
 
     template <typename = void>
     static constexpr auto fields() {

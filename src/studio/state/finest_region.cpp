@@ -18,7 +18,7 @@ void sortUnique(std::vector<glm::ivec3>& voxels) {
 
 FinestRegion::FinestRegion(const FinestLevel& level, const field::Field& scene,
                            const sculpt::Sculpture& sculpture)
-    : grid_(level.grid),
+    : source_(level.source), grid_(level.grid),
       growth_(
           std::make_unique<segment::FineValues>(level.source, scene, geometry(scene.geometry),
                                                 level.hostBytes, level.threads),

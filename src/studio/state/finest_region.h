@@ -27,6 +27,7 @@ public:
     // All but `level` must outlive it; the sculpture has a finer one, which fences growth.
     FinestRegion(const FinestLevel& level, const field::Field& scene, const sculpt::Sculpture& sculpture);
 
+    [[nodiscard]] const volume::BrickSource& source() const { return *source_; }
     segment::FineGrowth& growth() { return growth_; }
     [[nodiscard]] const segment::FineGrowth& growth() const { return growth_; }
     // Brings the scene's segments up to date.
@@ -49,6 +50,7 @@ public:
     [[nodiscard]] segment::FineSet finestOf(const segment::VoxelSet& set) const;
 
 private:
+    std::shared_ptr<const volume::BrickSource> source_;
     field::BrickGrid grid_;
     segment::FineGrowth growth_;
     segment::SceneView view_;

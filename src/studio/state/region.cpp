@@ -107,6 +107,12 @@ std::vector<glm::ivec3> Region::findSeeds(const field::SurfacePoints& points,
     return finder_.find(points, *field_, constraints);
 }
 
+FinestRegion Region::apart() const {
+    FinestLevel level = *finestLevel_;
+    level.hostBytes /= 2; // there may be segments beside it
+    return {level, *field_, *sculpture_};
+}
+
 std::vector<glm::ivec3> Region::findFinestSeeds(const field::SurfacePoints& points,
                                                 const segment::Constraints& constraints) {
     return madeFinest().found(points, constraints);

@@ -61,6 +61,10 @@ public:
                                             const segment::Constraints& constraints);
     [[nodiscard]] std::vector<glm::ivec3> finestIn(const std::vector<glm::ivec3>& sceneVoxels);
 
+    // A growth of its own at the finest level, where segments grow at that one, for what is connected there:
+    // segments know nothing of it.
+    [[nodiscard]] FinestRegion apart() const;
+
     // `finest`, where segments grow at the finest level and any are given, otherwise `voxels`.
     segment::SeedCounts seed(const std::vector<glm::ivec3>& voxels, const std::vector<glm::ivec3>& finest,
                              const segment::Constraints& constraints, Records& records);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/strokes/cut_stroke.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace vs::studio {
@@ -18,6 +19,27 @@ sculpt::SculptureDelta CutStroke::finish() {
         cutter_->sculpture->contentIsAsAt(contentVersion_);
     }
     return delta;
+}
+
+Box3 CutStroke::cutBy(const sculpt::CutTarget::Part& part, const std::vector<float>& energies) {
+    const glm::ivec3 origin = part.sculpture->origin();
+    const Box3 texels{part.within.lo - origin, part.within.hi - origin};
+    std::vector<float> values = part.sculpture->values(texels);
+    const std::vector<float> most = sculpt::mostEnergies(part.sculpture->limits(), texels);
+    bool isAny = false;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const float energy = most.empty() ? energies[i] : std::min(energies[i], most[i]);
+        isAny = isAny || energy > values[i];
+        values[i] = std::max(values[i], energy);
+    }
+    if (!isAny) {
+        return {};
+    }
+    if (part.backup != nullptr) {
+        part.backup->protect(part.within);
+    }
+    part.sculpture->upload(texels, sculpt::texelsOf(values, part.sculpture->precision()));
+    return part.within;
 }
 
 void CutStroke::takeBack(sculpt::SculptureDelta& delta) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/strokes/solid_strokes.h"
 
-#include "base/error.h"
-#include "segment/growth/growth.h"
 #include "studio/operations/sketch.h"
 
 namespace vs::studio {
@@ -120,42 +118,6 @@ void ClipStroke::clipTo(const Clip& clip) {
     discard();
     const sculpt::HalfSpaces solid{planesOf(clip, *cutter_->scene), clip.cutsInside, clip.radius};
     cutter_->solids.clip(target(), solid, how_);
-}
-
-KeepConnectedStroke::KeepConnectedStroke(Cutter& cutter, const MakeFrame& makeFrame, Region& region,
-                                         const KeepConnected& operation)
-    : CutStroke(cutter, operation, false), frame_(makeFrame()), region_(&region) {
-    if (frame_.scene.view == field::SculptureView::Probe) {
-        throw Error("keep connected: in probe view there is nothing left to cut; go to cut view");
-    }
-}
-
-void KeepConnectedStroke::replay() {
-    KeepConnected& op = std::get<KeepConnected>(operation_);
-    const auto constraints = region_->constraints(
-        op.canvas->view.visibleRange(frame_.scene.data->range), frame_.scene.view,
-        op.connectivity == 26 ? segment::Connectivity::TwentySix : segment::Connectivity::Six);
-    if (!op.voxel) {
-        const glm::vec2 pixel(op.pixel);
-        const auto voxels = region_->findSeeds(
-            cutter_->picker.pick(frame_, std::span(&pixel, 1), render::Picker::Meets::Brightest),
-            constraints);
-        if (voxels.empty()) {
-            throw Error("keep connected: nothing in the displayed range lies under pixel {:g}, {:g}",
-                        op.pixel.x, op.pixel.y);
-        }
-        op.voxel = voxels.front();
-    }
-    segment::Growth growth(*frame_.scene.data);
-    growth.setConstraints(constraints);
-    if (growth.addSeeds(std::span<const glm::ivec3>(&*op.voxel, 1)).added == 0) {
-        throw Error("keep connected: voxel {}, {}, {} is not in the displayed range, or was cut away",
-                    op.voxel->x, op.voxel->y, op.voxel->z);
-    }
-    growth.advance(Region::kEndless);
-    growth.syncLabels();
-    cutter_->islands.cut(*cutter_->sculpture, frame_.scene, growth.seedMap().labels(), backup_);
-    cutsInScene();
 }
 
 } // namespace vs::studio

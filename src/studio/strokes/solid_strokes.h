@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "studio/state/region.h"
 #include "studio/strokes/cut_stroke.h"
 
 namespace vs::studio {
@@ -28,20 +27,6 @@ public:
     // `clip` must restore or cut as the first one does.
     void clipTo(const Clip& clip);
     void replay() override { clipTo(std::get<Clip>(operation_)); }
-};
-
-// Removes what is not connected to what is under a pixel.
-class KeepConnectedStroke : public CutStroke {
-public:
-    // `operation` has its canvas set. Throws Error when nothing in range is under the pixel, or in probe view
-    // of something cut, where there is nothing left to cut.
-    KeepConnectedStroke(Cutter& cutter, const MakeFrame& makeFrame, Region& region,
-                        const KeepConnected& operation);
-    void replay() override;
-
-private:
-    render::Frame frame_;
-    Region* region_;
 };
 
 } // namespace vs::studio

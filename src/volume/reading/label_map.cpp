@@ -4,7 +4,6 @@
 #include "base/error.h"
 #include "volume/reading/label_looks.h"
 #include "volume/reading/read_volume.h"
-#include "volume/reading/store_bricks.h"
 
 #include <fmt/format.h>
 
@@ -12,11 +11,10 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace vs::volume {
 namespace {
-
-constexpr std::size_t kMostLabels = 255;
 
 // The different values but 0, in their order.
 std::vector<std::int64_t> labelValues(const Volume& volume) {
@@ -42,13 +40,11 @@ std::vector<std::int64_t> labelValues(const Volume& volume) {
     return {found.begin(), found.end()};
 }
 
-std::optional<int> levelLike(const std::filesystem::path& path, const GridGeometry& like) {
-    const StoreBricks store(path, ReadOptions());
+std::optional<int> levelLike(const StoreBricks& store, const GridGeometry& like) {
     const auto& levels = store.levels();
     const auto found = std::find_if(levels.begin(), levels.end(),
                                     [&](const GridGeometry& level) { return level.dims == like.dims; });
-    return found == levels.end() || found == levels.begin() ? std::nullopt
-                                                            : std::optional(int(found - levels.begin()));
+    return found == levels.end() ? std::nullopt : std::optional(int(found - levels.begin()));
 }
 
 std::string sizeText(glm::ivec3 dims) { return fmt::format("{} x {} x {}", dims.x, dims.y, dims.z); }
@@ -64,7 +60,8 @@ LabelMap readLabelMap(const std::filesystem::path& path, std::vector<std::string
     }
     ReadOptions options;
     if (like != nullptr && hasLevels(path)) {
-        options.level = levelLike(path, *like);
+        const auto level = levelLike(StoreBricks(path, ReadOptions()), *like);
+        options.level = level && *level > 0 ? level : std::nullopt;
     }
     ReadResult read = readVolume(path, options);
     const Volume& volume = read.volume;
@@ -85,6 +82,16 @@ LabelMap readLabelMap(const std::filesystem::path& path, std::vector<std::string
         }
     });
     return map;
+}
+
+std::optional<LabelLevel> openLabelLevel(const std::filesystem::path& path, const GridGeometry& like) {
+    auto store = std::make_shared<const StoreBricks>(path, ReadOptions());
+    const std::optional<int> level = levelLike(*store, like);
+    if (!level) {
+        return {};
+    }
+    const GridGeometry geometry = store->levels()[std::size_t(*level)];
+    return LabelLevel{std::move(store), *level, geometry, labelLooksOf(path)};
 }
 
 void requireSameGrid(const LabelMap& map, const GridGeometry& geometry, const std::filesystem::path& volume) {

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "volume/grid/brick_source.h"
 #include "volume/grid/geometry.h"
 #include "volume/reading/label_looks.h"
+#include "volume/reading/store_bricks.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +32,19 @@ struct LabelMap {
 // than 255 different ones.
 LabelMap readLabelMap(const std::filesystem::path& path, std::vector<std::string>& notices,
                       const GridGeometry* like = nullptr);
+
+// The most labels that a map may have beside 0.
+inline constexpr std::size_t kMostLabels = 255;
+
+// A level of a store of labels, to be read box by box.
+struct LabelLevel {
+    std::shared_ptr<const BrickSource> source;
+    int level = 0;
+    GridGeometry geometry;
+    LabelLooks looks;
+};
+// The level that has as many voxels as `like`; nothing: none has. Throws ReadError.
+std::optional<LabelLevel> openLabelLevel(const std::filesystem::path& store, const GridGeometry& like);
 
 // Throws Error if the label map's grid is not that of the volume: other dimensions, or corners that lie more
 // than a tenth of a step apart, which is more than headers round.

@@ -6,11 +6,15 @@
 #include "segment/edits/margins.h"
 #include "segment/edits/set_algebra.h"
 #include "segment/edits/smoothing.h"
+#include "segment/membership/membership.h"
+#include "segment/membership/set_membership.h"
 #include "test_sets.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace vs::segment {
 namespace {
@@ -140,6 +144,32 @@ TEST(FineEdits, NoIslandIsNearAnEmptyPlace) {
     EXPECT_TRUE(keepLargestIsland(none, Connectivity::Six).isEmpty());
     EXPECT_TRUE(fillHoles(none, kLongGrid).isEmpty());
     EXPECT_TRUE(smooth(none, kLongGrid, 2).isEmpty());
+}
+
+// Of boxes that begin anywhere, and reach beyond the grid.
+TEST(FineSets, HaveTheMembershipOfASegment) {
+    test::checkProperty(8, [] {
+        const VoxelSet set = anyShapes();
+        const std::vector<std::uint8_t> labels = set.within(kLongGrid.box()).inside;
+        const Membership wanted(labels, kLongGrid, 1);
+        const glm::ivec3 lo(*test::below(100), *test::below(20), *test::below(20));
+        const Box3 box{lo, lo + glm::ivec3(1 + *test::below(80), 20, 20)};
+        const auto bytes = membershipOf(fineOf(set), box, kLongGrid.spacing());
+        double most = 0;
+        forEachVoxel(intersect(box, kLongGrid.box()), [&](glm::ivec3 v, std::size_t) {
+            const glm::ivec3 at = v - box.lo;
+            const glm::ivec3 size = box.size();
+            const double found =
+                bytes.empty() ? 0
+                              : double(bytes[(std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) *
+                                                 std::size_t(size.x) +
+                                             std::size_t(at.x)]) /
+                                    255;
+            most = std::max(most, std::abs(found - wanted.at(v)));
+        });
+        RC_ASSERT(most < 0.52 / 255);
+    });
+    EXPECT_TRUE(membershipOf(FineSet(kLongGrid.dims), {{3, 3, 3}, {30, 30, 30}}, {1, 1, 1}).empty());
 }
 
 } // namespace

@@ -189,37 +189,37 @@ void SegmentController::openLabels(const std::filesystem::path& path) {
     isReading_ = true;
     host_.say(tr("Reading %1").arg(QString::fromStdString(path.filename().string())));
     emit host_.progress(0, 0);
-    reader_ = std::jthread(
-        [this, path = std::filesystem::absolute(path), document = documents_, grid = *host_.geometry()] {
-            studio::LoadLabels labels{path};
-            std::vector<std::string> notices;
-            QString error;
-            try {
-                labels.map = std::make_shared<volume::LabelMap>(volume::readLabelMap(path, notices, &grid));
-            } catch (const std::exception& e) {
-                error = QString::fromUtf8(e.what());
+    reader_ = std::jthread([this, path = std::filesystem::absolute(path), document = documents_,
+                            grids = host_.document()->labelGrids()] {
+        studio::LoadLabels labels{path};
+        std::vector<std::string> notices;
+        QString error;
+        try {
+            studio::readLabels(labels, grids, notices);
+        } catch (const std::exception& e) {
+            error = QString::fromUtf8(e.what());
+        }
+        const auto finish = [this, labels, notices, error, document] {
+            isReading_ = false;
+            if (document != documents_ || host_.isLoading()) {
+                host_.say(tr("The label map was dropped: its volume is no longer open"));
+                if (!host_.isLoading()) { // else the bar is that of the next volume
+                    emit host_.progress(1, 1);
+                }
+                return;
             }
-            const auto finish = [this, labels, notices, error, document] {
-                isReading_ = false;
-                if (document != documents_ || host_.isLoading()) {
-                    host_.say(tr("The label map was dropped: its volume is no longer open"));
-                    if (!host_.isLoading()) { // else the bar is that of the next volume
-                        emit host_.progress(1, 1);
-                    }
-                    return;
-                }
-                if (error.isEmpty()) {
-                    takeLabels(labels);
-                    notices_.add(notices);
-                } else {
-                    host_.say(error);
-                    emit host_.openFailed(error);
-                }
-                emit host_.progress(1, 1);
-            };
-            QMetaObject::invokeMethod(
-                this, [this, finish] { host_.whenHere(finish); }, Qt::QueuedConnection);
-        });
+            if (error.isEmpty()) {
+                takeLabels(labels);
+                notices_.add(notices);
+            } else {
+                host_.say(error);
+                emit host_.openFailed(error);
+            }
+            emit host_.progress(1, 1);
+        };
+        QMetaObject::invokeMethod(
+            this, [this, finish] { host_.whenHere(finish); }, Qt::QueuedConnection);
+    });
 }
 
 void SegmentController::takeLabels(const studio::LoadLabels& labels) {

@@ -137,16 +137,16 @@ class Finer(ScanCase):
                  "beside what is spared": [skin, {"op": "segment", "segment": "Segment 1"}, {"op": "cut segment", "keeps": False, "margin": 4}, CUTS[2], CUTS[6]],
                  "what is not connected": [skin, {"op": "keep connected", "voxel": [66, 80, 64]}]}
         store = self.store()
-        for what, cuts in steps.items():
+        for number, (what, cuts) in enumerate(steps.items()):
             operations = SHAPES + cuts + [{"op": "sculpture", "file": "s.zarr"}, {"op": "labels", "file": "l.zarr"}]
             session = self.session("s.json", store, operations)
-            dense, _, _ = self.run_session(session, "dense", "--level", 0)
+            dense, _, _ = self.run_session(session, f"dense{number}", "--level", 0)
             wanted = self.values(dense / "s.zarr")
             labels = self.values(dense / "l.zarr")
             self.assertGreater((wanted > 0.5).sum(), 10_000, what)
             for level in (1, 2):
                 with self.subTest(what=what, level=level):
-                    bricks, _, _ = self.run_session(session, f"bricks{level}", "--level", level)
+                    bricks, _, _ = self.run_session(session, f"bricks{number}-{level}", "--level", level)
                     self.assertTrue(numpy.array_equal(self.values(bricks / "l.zarr"), labels))
                     cut = self.values(bricks / "s.zarr")
                     self.assertLess((numpy.abs(cut - wanted) > 0.02).mean(), 2e-4)

@@ -113,14 +113,18 @@ bool isOfFinestAlone(const Op& op) {
     return op.voxels.empty() && !op.finest.empty() && !isDrawn;
 }
 
+// The voxel that one of the finest level lies in.
+glm::ivec3 sceneVoxelOf(glm::ivec3 finest, const OtherGrid& sceneFromFinest) {
+    const glm::dvec3 place = glm::dvec3(finest) * sceneFromFinest.scale + sceneFromFinest.offset;
+    // The last of a level whose size was rounded down lies in none of a coarser one.
+    return glm::clamp(glm::ivec3(glm::floor(place + 0.5)), glm::ivec3(0), sceneFromFinest.dims - 1);
+}
+
 template <typename Op>
 void takeFromFinest(Op& op, const OtherGrid& sceneFromFinest) {
     if (isOfFinestAlone(op)) {
         for (const glm::ivec3 voxel : op.finest) {
-            const glm::dvec3 place = glm::dvec3(voxel) * sceneFromFinest.scale + sceneFromFinest.offset;
-            // The last of a level whose size was rounded down lies in none of a coarser one.
-            op.voxels.push_back(
-                glm::clamp(glm::ivec3(glm::floor(place + 0.5)), glm::ivec3(0), sceneFromFinest.dims - 1));
+            op.voxels.push_back(sceneVoxelOf(voxel, sceneFromFinest));
         }
         const auto isBefore = [](glm::ivec3 a, glm::ivec3 b) {
             return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
@@ -129,6 +133,16 @@ void takeFromFinest(Op& op, const OtherGrid& sceneFromFinest) {
         op.voxels.erase(std::unique(op.voxels.begin(), op.voxels.end()), op.voxels.end());
     }
     op.finest.clear();
+}
+
+// Does so of operations that say one voxel. On a coarser grid it is looked for again where it was drawn.
+template <typename Op>
+void takeOneFromFinest(Op& op, const OtherGrid& sceneFromFinest) {
+    const bool isSame = sceneFromFinest.scale == glm::dvec3(1);
+    if (op.finest && !op.voxel && (isSame || !op.canvas)) {
+        op.voxel = sceneVoxelOf(*op.finest, sceneFromFinest);
+    }
+    op.finest.reset();
 }
 
 // What descriptions do not tell.
@@ -220,17 +234,28 @@ Operation onGrid(Operation operation, const OtherGrid& grid) {
 }
 
 bool namesFinest(const Operation& operation) {
-    const auto* seed = std::get_if<Seed>(&operation);
-    const auto* absorb = std::get_if<Absorb>(&operation);
-    return (seed != nullptr && !seed->finest.empty()) || (absorb != nullptr && !absorb->finest.empty());
+    return std::visit(
+        [](const auto& op) {
+            if constexpr (requires { op.finest.empty(); }) {
+                return !op.finest.empty();
+            } else if constexpr (requires { op.finest.has_value(); }) {
+                return op.finest.has_value();
+            }
+            return false;
+        },
+        operation);
 }
 
 Operation withoutFinest(Operation operation, const OtherGrid& sceneFromFinest) {
-    if (auto* seed = std::get_if<Seed>(&operation)) {
-        takeFromFinest(*seed, sceneFromFinest);
-    } else if (auto* absorb = std::get_if<Absorb>(&operation)) {
-        takeFromFinest(*absorb, sceneFromFinest);
-    }
+    std::visit(
+        [&](auto& op) {
+            if constexpr (requires { op.finest.empty(); }) {
+                takeFromFinest(op, sceneFromFinest);
+            } else if constexpr (requires { op.finest.has_value(); }) {
+                takeOneFromFinest(op, sceneFromFinest);
+            }
+        },
+        operation);
     return operation;
 }
 

@@ -92,5 +92,29 @@ TEST(OtherGridTest, GrowthGoesAsFar) {
     EXPECT_DOUBLE_EQ(converted(correct, kCoarser).spacing->z, 3);
 }
 
+TEST(OtherGridTest, AFinestVoxelIsKnownWhereverItCanBe) {
+    KeepConnected keep;
+    keep.finest = glm::ivec3(21, 30, 63);
+    const auto told = [](const Operation& op, const OtherGrid& grid) {
+        return std::get<KeepConnected>(withoutFinest(op, grid));
+    };
+    EXPECT_TRUE(namesFinest(keep));
+    EXPECT_EQ(told(keep, kCoarser).voxel, glm::ivec3(5, 7, 15)); // the voxel that it lies in
+    EXPECT_EQ(told(keep, {}).voxel, keep.finest);
+    keep.canvas = Canvas{};
+    EXPECT_FALSE(told(keep, kCoarser).voxel); // it is looked for under the pixel
+    EXPECT_EQ(told(keep, {}).voxel, keep.finest);
+    EXPECT_FALSE(namesFinest(told(keep, {})));
+    // Made on the finest level, and replayed where tools work on that beside a coarser one; and back.
+    KeepConnected made;
+    made.voxel = glm::ivec3(21, 30, 63);
+    OtherGrid toCoarser = kCoarser;
+    toCoarser.isFromFinest = true;
+    EXPECT_EQ(converted(made, toCoarser).finest, made.voxel);
+    OtherGrid toFinest = kFiner;
+    toFinest.isToFinest = true;
+    EXPECT_EQ(converted(converted(made, toCoarser), toFinest).voxel, made.voxel);
+}
+
 } // namespace
 } // namespace vs::studio

@@ -94,4 +94,22 @@ Greatest findGreatestInSlabs(Ray ray, float dt) {
     best.value = best.value > lowest ? min(best.value, range.y) : -1e30;
     return best;
 }
+
+#if defined(TF_KIND) || defined(SEGMENTS)
+// Where the value is greatest among the sample that was found and the two beside it, on the first of them: at
+// the border of what is all alike it hangs on a texture unit's rounding which of them it finds the greatest.
+float settled(Ray ray, Greatest found, float dt) {
+    float highest = limits.x + limits.w;
+    float number = floor(found.t / dt);
+    vec2 most = vec2(-1e30, found.t);
+    for (int i = -1; i <= 1 && found.value > -1e30; ++i) {
+        float t = (number + 0.5 + float(i)) * dt;
+        vec3 p = at(ray, t);
+        float value = exactDataAt(p);
+        bool counts = t >= ray.tBegin && t < ray.tEnd && value <= highest && exactSideAt(p) >= 0.0;
+        most = counts && value > most.x ? vec2(value, t) : most;
+    }
+    return most.y;
+}
+#endif
 #endif

@@ -204,11 +204,12 @@ Seen seenAlong(Ray ray, float jitter, float scale) {
 #elif MODE == 1
     Greatest greatest = findGreatestInSlabs(ray, sampleStep);
 #if defined(SEGMENTS)
-    vec3 brightest = at(ray, greatest.t);
+    vec3 brightest = at(ray, settled(ray, greatest, sampleStep));
     vec3 colour = tinted(colourInRay(greatest.value, brightest), brightest);
     seen.front.rgb = accumulatedFor(displayFromLinear(colour));
 #elif defined(TF_KIND)
-    seen.front.rgb = accumulatedFor(displayFromLinear(functionColour(greatest.value, at(ray, greatest.t))));
+    seen.front.rgb = accumulatedFor(
+        displayFromLinear(functionColour(greatest.value, at(ray, settled(ray, greatest, sampleStep)))));
 #endif
     seen.front.a = greatest.value;
 #elif MODE == 2

@@ -98,10 +98,11 @@ Box3 FineTarget::cutInWindow(const Box3& box, const Work& work) {
 }
 
 bool FineTarget::fill(const Box3& brick, Combine how) {
-    if (!mostEnergiesAtFinest(derived_.limits(), brick).empty()) {
+    const Allowed allowed = allowedAtFinest(derived_.limits(), brick);
+    if (allowed == Allowed::Some) {
         return false;
     }
-    if (fine_.fill(brick.lo / kFineBrick, how == Combine::Cut, originals_)) {
+    if (allowed == Allowed::All && fine_.fill(brick.lo / kFineBrick, how == Combine::Cut, originals_)) {
         filled_ = unite(filled_, brick);
     }
     return true;

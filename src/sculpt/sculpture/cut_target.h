@@ -33,7 +33,8 @@ public:
     virtual Box3 cutIn(const Box3& box, const Work& work, const Reaches& reaches = {}) = 0;
     // The parts that cutIn() makes of a large box are the cells of a grid with this side; 0: it has one part.
     [[nodiscard]] virtual int side() const { return 0; }
-    // Cuts or restores the brick (32^3) that a box is, all of it. Returns whether that could be done so.
+    // Cuts or restores the brick (32^3) that a box is, all of it, or none where that is what limits allow.
+    // Returns whether that could be done so.
     virtual bool fill(const Box3& /*brick*/, Combine /*how*/) { return false; }
     // Has what fill() did be seen.
     virtual void finish() {}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sculpt/sculpture/limits.h"
 
+#include "base/parallel.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <span>
@@ -56,12 +58,24 @@ std::shared_ptr<const Limits::InBox> betweenVoxels(const gl::Texture& membership
     const auto coarser = std::make_shared<const Coarser>(Coarser{
         memberships.downloadAll<std::byte>(), gl::bytesPerTexel(memberships.format()), memberships.size()});
     return std::make_shared<const Limits::InBox>([coarser, finest](const Box3& box) {
-        std::vector<std::byte> bytes(2 * box.volume());
-        forEachVoxel(box, [&](glm::ivec3 v, std::size_t i) {
-            const glm::vec2 texel =
-                coarser->between((glm::dvec3(v) - finest.origin) / finest.perSceneVoxel) + 0.5F;
-            bytes[2 * i] = std::byte(std::uint8_t(texel.x));
-            bytes[2 * i + 1] = std::byte(std::uint8_t(texel.y));
+        const auto placeOf = [&](glm::ivec3 v) {
+            return (glm::dvec3(v) - finest.origin) / finest.perSceneVoxel;
+        };
+        bool isAny = false;
+        forEachVoxel(
+            Box3{glm::ivec3(glm::floor(placeOf(box.lo))), glm::ivec3(glm::floor(placeOf(box.hi))) + 2},
+            [&](glm::ivec3 v, std::size_t) { isAny = isAny || coarser->at(v) != glm::vec2(0); });
+        std::vector<std::byte> bytes(isAny ? 2 * box.volume() : 0);
+        inParallel(isAny ? box.size().z : 0, [&](int layer) {
+            const glm::ivec3 size = box.size();
+            const int z = box.lo.z + layer;
+            std::size_t i = 2 * std::size_t(layer) * std::size_t(size.x) * std::size_t(size.y);
+            forEachVoxel(Box3{{box.lo.x, box.lo.y, z}, {box.hi.x, box.hi.y, z + 1}},
+                         [&](glm::ivec3 v, std::size_t) {
+                             const glm::vec2 texel = coarser->between(placeOf(v)) + 0.5F;
+                             bytes[i++] = std::byte(std::uint8_t(texel.x));
+                             bytes[i++] = std::byte(std::uint8_t(texel.y));
+                         });
         });
         return bytes;
     });
@@ -73,6 +87,14 @@ std::vector<float> mostEnergies(const Limits& limits, const Box3& box) {
     }
     const auto bytes = limits.memberships->download(box);
     return mostOf(bytes, gl::bytesPerTexel(limits.memberships->format()), limits.takesOnly);
+}
+
+Allowed allowedAtFinest(const Limits& limits, const Box3& box) {
+    if (limits.finest == nullptr) {
+        return Allowed::All;
+    }
+    const bool isNobodys = (*limits.finest)(box).empty();
+    return !isNobodys ? Allowed::Some : limits.takesOnly ? Allowed::None : Allowed::All;
 }
 
 std::vector<float> mostEnergiesAtFinest(const Limits& limits, const Box3& box) {

@@ -33,7 +33,11 @@ std::shared_ptr<const Limits::InBox> betweenVoxels(const gl::Texture& membership
 
 // The greatest energy that a tool may give to each voxel of a box (x fastest); empty: 1 everywhere.
 std::vector<float> mostEnergies(const Limits& limits, const Box3& box);
-// Says so of a box of the finer sculpture's voxels.
+// How many voxels of a box of the finer sculpture a tool may give all its energy to, as far as that is known
+// without looking at each.
+enum class Allowed { All, Some, None };
+Allowed allowedAtFinest(const Limits& limits, const Box3& box);
+// mostEnergies() of a box of the finer sculpture's voxels.
 std::vector<float> mostEnergiesAtFinest(const Limits& limits, const Box3& box);
 
 } // namespace vs::sculpt

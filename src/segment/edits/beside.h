@@ -8,7 +8,7 @@
 
 namespace vs::segment {
 
-inline constexpr int kBeside = 2; // voxels
+inline constexpr int kBeside = 2; // voxels, as sculpt/shaders/cut_islands.comp has them
 
 // What has to go so that nothing of islands is seen any more, surfaces included, and that of what is kept
 // stays as it is: 1 within kBeside voxels of an island, along any axes, but not within one of what is kept, 0

@@ -28,10 +28,18 @@ std::int64_t wholeNumber(double value, const std::string& name) {
     return std::int64_t(value);
 }
 
+void requireFew(std::size_t labels, std::size_t most, const std::string& name) {
+    if (labels > most) {
+        throw ReadError("{}: holds more than {} different values; a label map has at most so many", name,
+                        most);
+    }
+}
+
 // The voxels of a block by their values, brick by brick.
 using BlockBits = std::map<std::int64_t, std::map<std::uint32_t, CellBits>>;
 template <typename T>
-BlockBits bitsOf(const T* values, const Box3& block, const FineSet& grid, const std::string& name) {
+BlockBits bitsOf(const T* values, const Box3& block, const FineSet& grid, const std::string& name,
+                 std::size_t mostLabels) {
     BlockBits bits;
     T last{};
     std::int64_t label = 0;
@@ -45,6 +53,7 @@ BlockBits bitsOf(const T* values, const Box3& block, const FineSet& grid, const 
             last = values[i];
             label = wholeNumber(double(last), name);
             ofLabel = &bits[label];
+            requireFew(bits.size(), mostLabels, name);
         }
         const glm::ivec3 brick = v / field::kBrick;
         set((*ofLabel)[std::uint32_t(bricks.placeOf(brick))], cellOf(v - brick * field::kBrick));
@@ -72,18 +81,16 @@ LabelSets labelSets(const volume::BrickSource& map, int level, std::size_t mostL
         }
         const std::vector<std::byte> bytes = map.read(level, block);
         const BlockBits bits = volume::visitType(map.type(), [&](const auto* none) {
-            return bitsOf(reinterpret_cast<decltype(none)>(bytes.data()), block, grid, map.name());
+            return bitsOf(reinterpret_cast<decltype(none)>(bytes.data()), block, grid, map.name(),
+                          mostLabels);
         });
         const std::lock_guard lock(mutex);
         for (const auto& [value, ofLabel] : bits) {
             FineSet& set = setOf(sets, value, dims);
+            requireFew(sets.size(), mostLabels, map.name());
             for (const auto& [brick, cells] : ofLabel) {
                 set.add(brick, cells);
             }
-        }
-        if (sets.size() > mostLabels) {
-            throw ReadError("{}: holds more than {} different values; a label map has at most so many",
-                            map.name(), mostLabels);
         }
     };
     const int count = int(blocks.count());
@@ -96,7 +103,8 @@ LabelSets labelSets(const volume::BrickSource& map, int level, std::size_t mostL
 
 LabelSets labelSets(std::span<const std::uint8_t> labels, const std::vector<std::int64_t>& values,
                     glm::ivec3 dims) {
-    const BlockBits bits = bitsOf(labels.data(), {glm::ivec3(0), dims}, FineSet(dims), "a label map");
+    const BlockBits bits =
+        bitsOf(labels.data(), {glm::ivec3(0), dims}, FineSet(dims), "a label map", values.size());
     LabelSets sets;
     for (const auto& [number, ofLabel] : bits) {
         FineSet& set = setOf(sets, values.at(std::size_t(number)), dims);

@@ -24,7 +24,7 @@ namespace {
 // (doc/performance.md, "Memory on the device").
 constexpr std::size_t kWorkBytes = 10;
 // What strokes take that cut the finest level, window by window.
-constexpr std::size_t kWindowBytes = std::size_t(40) << 20;
+constexpr std::size_t kWindowBytes = std::size_t(54) << 20;
 // More voxels are not worked on unless they are asked for: they take long to read.
 constexpr std::size_t kManyVoxels = std::size_t(1) << 27;
 // What bricks take where nobody said how much they may: more would hardly ever be used.

@@ -6,6 +6,7 @@
 #include "segment/membership/set_membership.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -44,16 +45,21 @@ void requireSomethingToTake(const Contents& contents, const segment::Looks& look
     }
 }
 
-// The voxels of the finest level that have a look, together.
-segment::FineSet finestWith(segment::Look look, const segment::Looks& looks,
-                            const segment::FineGrowth& growth, glm::ivec3 dims) {
-    segment::FineSet all(dims);
-    for (std::size_t label = 1; label < looks.size(); ++label) {
-        if (looks[label] == look) {
-            all = unite(all, growth.voxels(std::uint8_t(label)));
+// The voxels of the finest level that have a look, wherever they are asked for.
+segment::MaskIn maskOf(segment::Look look, const segment::Looks& looks, const segment::FineGrowth& growth) {
+    return [look, looks, labels = growth.labelReader(), isEmpty = growth.emptyBoxes()](const Box3& box) {
+        std::vector<std::uint8_t> mask;
+        if (isEmpty(box)) {
+            return mask;
         }
-    }
-    return all;
+        mask = labels(box);
+        bool isAny = false;
+        for (std::uint8_t& voxel : mask) {
+            voxel = looks[voxel] == look ? 1 : 0;
+            isAny = isAny || voxel != 0;
+        }
+        return isAny ? mask : std::vector<std::uint8_t>();
+    };
 }
 
 // What tools keep to that work on the finest level: what has grown there, or what the scene knows.
@@ -64,22 +70,21 @@ finestLimits(const Contents& contents, const segment::Looks& looks, const gl::Te
     if (finer == nullptr || growth == nullptr) {
         return finer == nullptr ? nullptr : sculpt::betweenVoxels(memberships, finer->grid());
     }
-    const auto spared = finestWith(segment::Look::Opaque, looks, *growth, finer->dims());
-    const auto taken = finestWith(segment::Look::Translucent, looks, *growth, finer->dims());
+    const std::array<segment::MaskIn, 2> masks{maskOf(segment::Look::Opaque, looks, *growth),
+                                               maskOf(segment::Look::Translucent, looks, *growth)};
     const glm::dvec3 spacing = contents.region.geometry().spacing();
-    return std::make_shared<const sculpt::Limits::InBox>([spared, taken, spacing](const Box3& box) {
-        std::vector<std::byte> bytes;
-        const auto put = [&](const segment::FineSet& set, std::size_t channel) {
-            const std::vector<std::uint8_t> values = segment::membershipOf(set, box, spacing);
-            bytes.resize(std::max(bytes.size(), 2 * values.size()));
-            for (std::size_t i = 0; i < values.size(); ++i) {
-                bytes[2 * i + channel] = std::byte(values[i]);
+    return std::make_shared<const sculpt::Limits::InBox>(
+        [masks, dims = finer->dims(), spacing](const Box3& box) {
+            std::vector<std::byte> bytes;
+            for (std::size_t channel = 0; channel < masks.size(); ++channel) {
+                const auto values = segment::membershipOf(masks[channel], dims, box, spacing);
+                bytes.resize(std::max(bytes.size(), masks.size() * values.size()));
+                for (std::size_t i = 0; i < values.size(); ++i) {
+                    bytes[masks.size() * i + channel] = std::byte(values[i]);
+                }
             }
-        };
-        put(spared, 0);
-        put(taken, 1);
-        return bytes;
-    });
+            return bytes;
+        });
 }
 
 } // namespace

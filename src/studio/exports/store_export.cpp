@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "base/progress.h"
-#include "volume/grid/visit_type.h"
+#include "volume/grid/known_ranges.h"
 #include "volume/store/write_store.h"
 
 #include <fmt/format.h>
@@ -24,34 +24,6 @@ std::string onceOnly() {
 std::string described(const std::filesystem::path& path, const volume::GridGeometry& grid,
                       const std::string& what) {
     return fmt::format("{}: {} x {} x {} {}", path.string(), grid.dims.x, grid.dims.y, grid.dims.z, what);
-}
-
-// Nothing where they cannot be had: then all is read.
-std::optional<volume::CellExtremes> knownExtremes(const volume::BrickSource& levels) {
-    try {
-        return levels.extremes();
-    } catch (const GivenUp&) {
-        throw;
-    } catch (const Error&) {
-        return {};
-    }
-}
-
-// By what is known of the cells that a box of the finest level touches.
-bool holdsOnlyZeros(const volume::CellExtremes& extremes, const Box3& box) {
-    bool isZero = true;
-    volume::visitType(extremes.type, [&]<typename T>(const T*) {
-        const auto* pairs = reinterpret_cast<const T*>(extremes.ranges.data());
-        forEachVoxel(Box3{box.lo / extremes.side, divideUp(box.hi, extremes.side)},
-                     [&](glm::ivec3 cell, std::size_t) {
-                         const std::size_t n =
-                             (std::size_t(cell.z) * std::size_t(extremes.cells.y) + std::size_t(cell.y)) *
-                                 std::size_t(extremes.cells.x) +
-                             std::size_t(cell.x);
-                         isZero = isZero && pairs[2 * n] == T(0) && pairs[2 * n + 1] == T(0);
-                     });
-    });
-    return isZero;
 }
 
 } // namespace
@@ -81,12 +53,13 @@ std::string writeSculptedStore(const std::filesystem::path& path, const ExportSo
         }
         return values;
     };
-    const auto extremes = knownExtremes(*finest.levels);
+    const volume::KnownRanges known(*finest.levels, 0);
     store.isZero = [&](const Box3& box) {
         const bool isFilled = source.view != field::SculptureView::Whole && filled != 0;
         const bool staysAsItIs =
             !isFilled || (source.view == field::SculptureView::Cut && finest.isUncut(box));
-        return staysAsItIs && extremes && holdsOnlyZeros(*extremes, box);
+        const auto range = known.in(box);
+        return staysAsItIs && range && range->lo == 0 && range->hi == 0;
     };
     volume::writeStore(path, store);
     return said(finest.geometry, store.type);

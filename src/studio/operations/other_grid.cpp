@@ -139,7 +139,7 @@ void takeFromFinest(Op& op, const OtherGrid& sceneFromFinest) {
 template <typename Op>
 void takeOneFromFinest(Op& op, const OtherGrid& sceneFromFinest) {
     const bool isSame = sceneFromFinest.scale == glm::dvec3(1);
-    if (op.finest && !op.voxel && (isSame || !op.canvas)) {
+    if (op.finest && !op.voxel && (isSame || !op.pixel || !op.canvas)) {
         op.voxel = sceneVoxelOf(*op.finest, sceneFromFinest);
     }
     op.finest.reset();
@@ -190,7 +190,7 @@ void keepOneFinest(Op& op, const Op& before, const OtherGrid& grid, bool isLooke
     }
 }
 void convertMore(KeepConnected& op, const KeepConnected& before, const OtherGrid& grid) {
-    keepOneFinest(op, before, grid, op.canvas.has_value());
+    keepOneFinest(op, before, grid, op.pixel && op.canvas);
 }
 void convertMore(EditSegment& op, const EditSegment& before, const OtherGrid& grid) {
     keepOneFinest(op, before, grid, op.pixel && op.canvas);

@@ -193,7 +193,7 @@ struct KeepConnected {
                                   "keep"};
     static constexpr std::array<const char*, 3> kNeedsOneOf{"pixel", "voxel", "finest"};
 
-    glm::dvec2 pixel{0};
+    std::optional<glm::dvec2> pixel = {};
     std::optional<glm::ivec3> voxel = {};
     std::optional<glm::ivec3> finest = {}; // of the finest level, where tools work on that one
     int connectivity = 26;
@@ -202,7 +202,7 @@ struct KeepConnected {
     template <typename = void>
     static constexpr auto fields() {
         return std::tuple_cat(
-            std::tuple{written("pixel", &KeepConnected::pixel, kPixels),
+            std::tuple{sparse("pixel", &KeepConnected::pixel, kPixels),
                        sparse("voxel", &KeepConnected::voxel, kVoxel, "used instead of looking again"),
                        sparse("finest", &KeepConnected::finest, kFinestVoxel),
                        written("connectivity", &KeepConnected::connectivity, kConnectivity)},

@@ -218,7 +218,7 @@ struct LoadLabels {
         "where segments grow at that one, with the names and colours of a "
         "3D Slicer segmentation (`.seg.nrrd`), else called `Label 7`; voxels that are in a segment stay "
         "there. The path is absolute or relative to the session file; with a `checksum` another file is "
-        "refused"};
+        "refused, where one is read whole, or in bricks, both times"};
 
     std::filesystem::path path; // in memory absolute, or relative to the current folder
     std::string checksum = {};  // empty: not checked; filled in when the file is read

@@ -3,6 +3,8 @@
 
 #include "base/error.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace vs::studio {
@@ -55,10 +57,15 @@ void readLabels(LoadLabels& labels, const LabelGrids& grids, std::vector<std::st
     if (!map) {
         map = readWhole(labels, grids, notices);
     }
-    if (!labels.checksum.empty() && segment::isOfSets(map->checksum) != segment::isOfSets(labels.checksum)) {
-        map->checksum = labels.checksum;
+    const bool isCompared =
+        !labels.checksum.empty() && segment::isOfSets(map->checksum) == segment::isOfSets(labels.checksum);
+    if (!labels.checksum.empty() && !isCompared) {
+        notices.push_back(
+            fmt::format("{}: was read whole when its checksum was taken, and in bricks now; that it "
+                        "is the same label map is not known",
+                        labels.path.string()));
     }
-    if (!labels.checksum.empty() && labels.checksum != map->checksum) {
+    if (isCompared && labels.checksum != map->checksum) {
         throw Error("{}: is not the label map that was opened (checksum {}, wanted {}); bring that one back, "
                     "or take the checksum out to use this one",
                     labels.path.string(), map->checksum, labels.checksum);

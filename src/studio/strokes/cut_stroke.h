@@ -46,8 +46,8 @@ protected:
 
     // What the stroke cuts into.
     [[nodiscard]] sculpt::CutTarget& target() { return *target_; }
-    // Cuts in a part by an energy for each of its voxels, within the limits that hold. Returns the box in which
-    // something has changed.
+    // Cuts in a part by an energy for each of its voxels, within the limits that hold. Returns the box in
+    // which something has changed.
     static Box3 cutBy(const sculpt::CutTarget::Part& part, const std::vector<float>& energies);
     // The sculpture is cut by something else, at the scene's resolution; finish() has the finer one follow.
     void cutsInScene() { cutsInScene_ = true; }

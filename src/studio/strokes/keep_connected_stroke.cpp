@@ -7,6 +7,7 @@
 #include "segment/growth/growth.h"
 #include "volume/grid/known_ranges.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -16,7 +17,8 @@ namespace {
 
 constexpr double kPortionMs = 100; // between asking whether to go on
 
-Error nothingUnder(const glm::dvec2& pixel) {
+Error nothingUnder(const KeepConnected& op) {
+    const glm::dvec2 pixel = op.pixel.value_or(glm::dvec2(0));
     return Error("keep connected: nothing in the displayed range lies under pixel {:g}, {:g}", pixel.x,
                  pixel.y);
 }
@@ -55,7 +57,7 @@ void KeepConnectedStroke::replay() {
 }
 
 field::SurfacePoints KeepConnectedStroke::underPixel() {
-    const glm::vec2 pixel(std::get<KeepConnected>(operation_).pixel);
+    const glm::vec2 pixel(std::get<KeepConnected>(operation_).pixel.value_or(glm::dvec2(0)));
     return cutter_->picker.pick(frame_, std::span(&pixel, 1), render::Picker::Meets::Brightest);
 }
 
@@ -64,7 +66,7 @@ void KeepConnectedStroke::cutAtScene(const segment::Constraints& constraints) {
     if (!op.voxel) {
         const auto voxels = region_->findSeeds(underPixel(), constraints);
         if (voxels.empty()) {
-            throw nothingUnder(op.pixel);
+            throw nothingUnder(op);
         }
         op.voxel = voxels.front();
     }
@@ -88,7 +90,7 @@ std::vector<glm::ivec3> KeepConnectedStroke::seedsIn(FinestRegion& finest,
     if (!op.finest) {
         const auto voxels = finest.found(underPixel(), constraints);
         if (voxels.empty()) {
-            throw nothingUnder(op.pixel);
+            throw nothingUnder(op);
         }
         op.finest = voxels.front();
     }
@@ -120,23 +122,24 @@ void KeepConnectedStroke::cutAllBut(const segment::FineSet& kept, const FinestRe
     const bool isCutAway = frame_.scene.view == field::SculptureView::Cut;
     const auto islandsIn = [&](const Box3& box) {
         const Box3 inside = intersect(box, all);
-        segment::FineSet seen(kept.dims());
-        seen.add(inside, inside, std::vector<std::uint8_t>(inside.volume(), 1));
-        seen = segment::subtract(finest.growth().inRange(seen, range), kept);
-        std::vector<std::uint8_t> islands = seen.within(inside);
-        const std::vector<float> values = isCutAway ? cut(inside) : std::vector<float>();
+        segment::FineSet voxels(kept.dims());
+        voxels.add(inside, inside, std::vector<std::uint8_t>(inside.volume(), 1));
+        std::vector<std::uint8_t> islands = finest.growth().inRange(voxels, range).within(inside);
+        const std::vector<std::uint8_t> isKept = kept.within(inside);
+        const std::vector<float> values = isCutAway ? cut(inside) : std::vector<float>(inside.volume(), 0.0F);
         for (std::size_t i = 0; i < values.size(); ++i) {
-            islands[i] = values[i] >= 0.5F ? 0 : islands[i];
+            islands[i] = isKept[i] != 0 || values[i] >= 0.5F ? 0 : islands[i];
         }
         return segment::VoxelSet{inside, islands}.within(box).inside;
     };
-    target().cutIn(
-        all,
-        [&](const sculpt::CutTarget::Part& part) {
-            const Box3 around = grow(part.within, segment::kBeside);
-            return cutBy(part, segment::besideIslands(islandsIn(around), kept.within(around), part.within));
-        },
-        mayBeSeen);
+    const auto cutIslands = [&](const sculpt::CutTarget::Part& part) {
+        const Box3 around = grow(part.within, segment::kBeside);
+        const std::vector<std::uint8_t> islands = islandsIn(around);
+        const bool isAny = std::find(islands.begin(), islands.end(), 1) != islands.end();
+        return isAny ? cutBy(part, segment::besideIslands(islands, kept.within(around), part.within))
+                     : Box3();
+    };
+    target().cutIn(all, cutIslands, mayBeSeen);
 }
 
 } // namespace vs::studio

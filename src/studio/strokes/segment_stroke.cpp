@@ -53,15 +53,16 @@ void SegmentStroke::cutAtScene() {
 void SegmentStroke::cutAtFinest() {
     const volume::GridGeometry geometry = region_.geometry();
     const segment::FineSet set = segment::changeMargin(region_.finestVoxels(label_), geometry, marginMm_);
-    if (keeps_) {
-        fillAround(set);
-    }
-    // What is kept is a matter of the bricks near it; what is cut lies in some of them, too.
-    const auto isNear = [&](const Box3& part) {
-        const auto& bricks = set.bricks();
-        return std::any_of(bricks.begin(), bricks.end(), [&](const auto& brick) {
-            return !intersect(within(set.boxOf(brick.first)), part).isEmpty();
-        });
+    const std::vector<bool> isLeft = keeps_ ? fillAround(set) : std::vector<bool>();
+    const field::BrickGrid grid{set.dims(), field::kBrick};
+    // The set is nowhere near, or a brick must be cut voxel by voxel.
+    const auto reaches = [&](const Box3& part) {
+        bool isAny = segment::hasAnyIn(set, within(part));
+        forEachVoxel(Box3{part.lo / field::kBrick, divideUp(part.hi, field::kBrick)},
+                     [&](glm::ivec3 brick, std::size_t) {
+                         isAny = isAny || (!isLeft.empty() && isLeft[std::size_t(grid.placeOf(brick))]);
+                     });
+        return isAny;
     };
     const auto cutPart = [&](const sculpt::CutTarget::Part& part) {
         const std::vector<std::uint8_t> bytes = segment::membershipOf(set, part.within, geometry.spacing());
@@ -70,25 +71,22 @@ void SegmentStroke::cutAtFinest() {
                        [](std::uint8_t byte) { return float(byte) / 255.0F; });
         return cutBy(part, energiesOf(std::move(memberships)));
     };
-    const bool isAll = keeps_ && cutter_->sculpture->isLimited();
-    target().cutIn(isAll ? geometry.box() : within(set.box()), cutPart,
-                   isAll ? sculpt::CutTarget::Reaches() : isNear);
+    target().cutIn(keeps_ ? geometry.box() : within(set.box()), cutPart, reaches);
     target().finish();
 }
 
-void SegmentStroke::fillAround(const segment::FineSet& set) {
+std::vector<bool> SegmentStroke::fillAround(const segment::FineSet& set) {
     const field::BrickGrid grid{set.dims(), field::kBrick};
-    std::vector<bool> isNear(Box3{glm::ivec3(0), grid.counts()}.volume(), false);
-    for (const auto& [number, bits] : set.bricks()) {
-        const glm::ivec3 brick = grid.brickAt(int(number));
-        forEachVoxel(intersect(grow(Box3{brick, brick + 1}, 1), {glm::ivec3(0), grid.counts()}),
-                     [&](glm::ivec3 place, std::size_t) { isNear[std::size_t(grid.placeOf(place))] = true; });
-    }
-    for (std::size_t n = 0; n < isNear.size(); ++n) {
-        if (!isNear[n]) {
-            target().fill(grid.boxOf(grid.brickAt(int(n))), how_);
+    const glm::ivec3 counts = grid.counts();
+    std::vector<bool> isLeft(grid.count(), false);
+    forEachVoxel(Box3{glm::ivec3(0), counts}, [&](glm::ivec3 brick, std::size_t n) {
+        if (brick.x == 0 && brick.y == 0) {
+            reportProgress(double(brick.z) / counts.z);
         }
-    }
+        const Box3 box = grid.boxOf(brick);
+        isLeft[n] = !segment::hasAnyIn(set, within(box)) && !target().fill(box, how_);
+    });
+    return isLeft;
 }
 
 std::vector<float> SegmentStroke::energiesOf(std::vector<float> memberships) const {

@@ -6,6 +6,8 @@
 #include "studio/state/region.h"
 #include "studio/strokes/cut_stroke.h"
 
+#include <vector>
+
 namespace vs::studio {
 
 // Cuts a segment away, or all but it, with a margin around it (CutSegment), at the level that segments grow
@@ -21,8 +23,9 @@ public:
 private:
     void cutAtScene();
     void cutAtFinest();
-    // Cuts everything beyond the voxels that may be within the set's surface, in bricks.
-    void fillAround(const segment::FineSet& set);
+    // Cuts the bricks that the set's surface does not reach, and says which of them must be cut voxel by
+    // voxel.
+    std::vector<bool> fillAround(const segment::FineSet& set);
     // What is cut of voxels that belong so much to the segment.
     [[nodiscard]] std::vector<float> energiesOf(std::vector<float> memberships) const;
 

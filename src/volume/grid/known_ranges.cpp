@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/grid/known_ranges.h"
 
+#include "base/error.h"
+#include "base/progress.h"
 #include "volume/grid/visit_type.h"
 
 #include <algorithm>
 
 namespace vs::volume {
+
+KnownRanges::KnownRanges(const BrickSource& source, int level) {
+    try {
+        extremes_ = level == 0 ? source.extremes() : std::nullopt;
+    } catch (const GivenUp&) {
+        throw;
+    } catch (const Error&) {
+    }
+}
 
 std::optional<Range> KnownRanges::in(const Box3& box) const {
     if (!extremes_) {

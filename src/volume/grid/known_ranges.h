@@ -11,9 +11,8 @@ namespace vs::volume {
 // What boxes of a level may hold, as far as its source knows without reading them.
 class KnownRanges {
 public:
-    // Throws ReadError.
-    KnownRanges(const BrickSource& source, int level)
-        : extremes_(level == 0 ? source.extremes() : std::nullopt) {}
+    // Where they cannot be read nothing is known.
+    KnownRanges(const BrickSource& source, int level);
 
     // The smallest and the largest value that there may be; nothing: anything.
     [[nodiscard]] std::optional<Range> in(const Box3& box) const;

@@ -6,6 +6,7 @@
 #include "field/finer_cells.h"
 #include "gpu/field/two_levels.h"
 #include "gpu/gl_test.h"
+#include "gpu/render/segment_stage.h"
 #include "gpu/render/stage.h"
 #include "image/compare.h"
 #include "phantom/phantom.h"
@@ -130,6 +131,37 @@ TEST_F(BricksTest, PicturesAreThoseOfOneTexture) {
         // A ray that grazes a surface may meet it or not, by rounding.
         RC_ASSERT(difference.changedFraction < 5e-4);
     });
+}
+
+// What is all alike begins at a sample that hangs on rounding, and its tint on where it begins.
+TEST_F(BricksTest, TheBrightestIsTintedAlike) {
+    test::SegmentStage stage([](glm::dvec3 p) {
+        const double r = glm::length(p - test::kCentre);
+        return r < 9 ? 180.0 : r < 14 ? 240.0 : std::abs(p.x - 20) < 2 ? 240.0 : 130.0;
+    });
+    stage.nest({0.9F, 0.1F, 0.1F, 0.7F}, {0.1F, 0.8F, 0.2F, 1.0F});
+    stage.frame.samples = 2;
+    for (int n = 0; n < 12; ++n) {
+        stage.look({31.0 * n,
+                    7.0 * n - 30,
+                    1.3,
+                    {},
+                    n % 2 == 0 ? Projection::Orthographic : Projection::Perspective},
+                   {160, 120});
+        const auto whole = stage.picture(Mode::Mip);
+        field::DetailOptions options;
+        options.side = 7 + 5 * (n % 5);
+        options.hasOwnLevel = true;
+        options.deviceBytes = bytesFor(400, options.side, volume::ScalarType::UInt8);
+        options.hostBytes = std::size_t(1) << 24;
+        field::Detail detail(std::make_shared<volume::VolumeBricks>(stage.volume, stage.volume.geometry),
+                             stage.volume.geometry, options);
+        stage.frame.detail = &detail;
+        const auto inBricks = stage.picture(Mode::Mip);
+        stage.frame.detail = nullptr;
+        EXPECT_GT(detail.bricksRead(), 0U) << n;
+        EXPECT_LE(image::compare(whole, inBricks).max, 1) << n;
+    }
 }
 
 TEST_F(BricksTest, SlicesAreThoseOfOneTexture) {

@@ -176,5 +176,35 @@ TEST_F(SculptureTest, BricksAreProtectedOnceAndOnlyInsideTheTexture) {
     }
 }
 
+// Of a coarser grid: what is between its voxels, and nothing where all around is nobody's.
+TEST_F(SculptureTest, LimitsBetweenVoxelsAreInterpolated) {
+    const glm::ivec3 dims(12, 9, 7);
+    std::vector<std::byte> texels;
+    forEachVoxel({glm::ivec3(0), dims}, [&](glm::ivec3 v, std::size_t) {
+        texels.push_back(std::byte(v.x < 5 ? 0 : 30 * (v.x - 5)));
+    });
+    gl::Texture memberships(dims, gl::Format::R8, gl::Filter::Nearest, "memberships");
+    memberships.upload({glm::ivec3(0), dims}, texels);
+    field::BrickGrid finest{2 * dims, 32};
+    finest.perSceneVoxel = glm::dvec3(2);
+    finest.origin = glm::dvec3(0.5);
+    Limits limits;
+    limits.finest = betweenVoxels(memberships, finest);
+    const Box3 empty{{0, 0, 0}, {7, 18, 14}};
+    EXPECT_TRUE(mostEnergiesAtFinest(limits, empty).empty());
+    EXPECT_EQ(allowedAtFinest(limits, empty), Allowed::All);
+    const Box3 box{{6, 3, 2}, {23, 9, 11}};
+    EXPECT_EQ(allowedAtFinest(limits, box), Allowed::Some);
+    const auto most = mostEnergiesAtFinest(limits, box);
+    ASSERT_EQ(most.size(), box.volume());
+    forEachVoxel(box, [&](glm::ivec3 v, std::size_t n) {
+        const double x = std::clamp((v.x - 0.5) / 2, 5.0, 11.0);
+        EXPECT_NEAR(most[n], 1 - 30 * (x - 5) / 255, 0.51 / 255) << v.x;
+    });
+    limits.takesOnly = true;
+    EXPECT_EQ(allowedAtFinest(limits, empty), Allowed::None);
+    EXPECT_EQ(mostEnergiesAtFinest(limits, empty), std::vector<float>(empty.volume(), 0.0F));
+}
+
 } // namespace
 } // namespace vs::sculpt

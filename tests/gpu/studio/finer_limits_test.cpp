@@ -166,7 +166,6 @@ TEST_F(FinerLimitsTest, ToolsSpareFinestVoxels) {
     }
 }
 
-// What is cut at the level that is worked on, and the finest level follows, keeps to them as well.
 TEST_F(FinerLimitsTest, KeepConnectedSparesFinestVoxels) {
     BallAndSheet both(Treatment::Spare);
     KeepConnected keep;

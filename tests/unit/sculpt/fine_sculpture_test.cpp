@@ -214,5 +214,43 @@ TEST(FineSculptureTest, RisesWhereTheSceneRose) {
     });
 }
 
+// As far as limits let it, which say nothing of most bricks, and the same whatever boxes they are asked for.
+TEST(FineSculptureTest, RisesNoHigherThanLimitsLetIt) {
+    test::checkProperty(20, [] {
+        std::mt19937 random{std::mt19937::result_type(*test::below(100000))};
+        const Pair pair = drawPair(random);
+        Pair free = pair;
+        Pair limited = pair;
+        const int spared = int(random() % unsigned(pair.box.hi.y));
+        const auto membershipAt = [&](glm::ivec3 v) { return v.y < spared ? 0 : (v.x * 7 + v.z * 13) % 256; };
+        Limits limits;
+        limits.takesOnly = *test::below(3) == 0;
+        limits.finest = std::make_shared<const Limits::InBox>([&](const Box3& box) {
+            std::vector<std::byte> bytes(box.hi.y <= spared ? 0 : 2 * box.volume());
+            forEachVoxel(box, [&](glm::ivec3 v, std::size_t n) {
+                if (!bytes.empty()) {
+                    bytes[2 * n] = std::byte(membershipAt(v));
+                }
+            });
+            return bytes;
+        });
+        const field::BrickGrid& grid = pair.fine.grid();
+        const glm::ivec3 sceneDims(glm::round(glm::dvec3(grid.dims) / grid.perSceneVoxel));
+        const Box3 scene{glm::ivec3(0), sceneDims};
+        const std::vector<float> low(scene.volume(), 0.0F);
+        const std::vector<float> high(scene.volume(), 1.0F);
+        FineBricks originals;
+        free.fine.raise(scene, low, high, originals);
+        originals.clear();
+        limited.fine.raise(scene, low, high, originals, limits);
+        const auto unlimited = free.all();
+        const auto is = limited.all();
+        forEachVoxel(pair.box, [&](glm::ivec3 v, std::size_t n) {
+            const float most = limits.takesOnly ? 0.0F : 1.0F - float(membershipAt(v)) / 255;
+            RC_ASSERT(std::abs(is[n] - std::min(unlimited[n], most)) < 0.003F);
+        });
+    });
+}
+
 } // namespace
 } // namespace vs::sculpt

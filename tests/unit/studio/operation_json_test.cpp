@@ -140,7 +140,7 @@ TEST(OperationJson, EveryKindComesBackAsItWas) {
         Scissors{ellipse},
         Clip{Clip::Box{{1, 2, 3}, {40, 50.5, 60}}, {{{1, 2, 3}, {0, 0, -1}}}, true, 4, true},
         Clip{{}, {{{1, 2, 3}, {0.5, 0, -1}}}},
-        KeepConnected{{12.5, 40}, glm::ivec3(3, 4, 5), glm::ivec3(7, 8, 10), 6, someCanvas()},
+        KeepConnected{glm::dvec2(12.5, 40), glm::ivec3(3, 4, 5), glm::ivec3(7, 8, 10), 6, someCanvas()},
         Paste{{{1, 2, 3}, {0, 90, 0}, 1.5}},
         MovePart{3, {{4, 5, 6}, {}, 1}},
         Seed{{line, ellipse}, 7, Range{30, 90.5}, 26, {{1, 2, 3}, {4, 5, 6}}, someCanvas()},

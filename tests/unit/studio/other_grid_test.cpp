@@ -102,6 +102,7 @@ TEST(OtherGridTest, AFinestVoxelIsKnownWhereverItCanBe) {
     EXPECT_EQ(told(keep, kCoarser).voxel, glm::ivec3(5, 7, 15)); // the voxel that it lies in
     EXPECT_EQ(told(keep, {}).voxel, keep.finest);
     keep.canvas = Canvas{};
+    keep.pixel = {12, 13};
     EXPECT_FALSE(told(keep, kCoarser).voxel); // it is looked for under the pixel
     EXPECT_EQ(told(keep, {}).voxel, keep.finest);
     EXPECT_FALSE(namesFinest(told(keep, {})));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/segments/segment_controller.h"
 
+#include "base/progress.h"
 #include "model/document/document_host.h"
 #include "model/document/notices.h"
 #include "model/document/view_model.h"
@@ -9,6 +10,8 @@
 #include "studio/document/document_facts.h"
 
 #include <algorithm>
+#include <optional>
+#include <stop_token>
 
 namespace vs::desktop {
 
@@ -190,7 +193,8 @@ void SegmentController::openLabels(const std::filesystem::path& path) {
     host_.say(tr("Reading %1").arg(QString::fromStdString(path.filename().string())));
     emit host_.progress(0, 0);
     reader_ = std::jthread([this, path = std::filesystem::absolute(path), document = documents_,
-                            grids = host_.document()->labelGrids()] {
+                            grids = host_.document()->labelGrids()](const std::stop_token& stop) {
+        const ProgressListener listener([&stop](std::optional<double>) { return !stop.stop_requested(); });
         studio::LoadLabels labels{path};
         std::vector<std::string> notices;
         QString error;

@@ -112,11 +112,11 @@ TEST_F(ToolsTest, OnlyWhatIsConnectedToThePlaceUnderThePenIsKept) {
     op.pixel = rays.project({20, 24, 24});
     const glm::dvec2 other = rays.project({48, 24, 24});
     document.apply(SetView{op.canvas->view.camera, {}, Range{100, 255}, {}});
-    const auto kept = document.surface().probe(op.pixel, {400, 300});
+    const auto kept = document.surface().probe(*op.pixel, {400, 300});
     ASSERT_TRUE(kept && document.surface().probe(other, {400, 300}));
     EXPECT_GT(document.apply(op).voxelsTouched, 100U);
     EXPECT_FALSE(document.surface().probe(other, {400, 300}));
-    const auto still = document.surface().probe(op.pixel, {400, 300});
+    const auto still = document.surface().probe(*op.pixel, {400, 300});
     ASSERT_TRUE(still);
     EXPECT_EQ(still->voxel, kept->voxel) << "its surface is as it was";
     // Nothing of the other is seen anywhere.

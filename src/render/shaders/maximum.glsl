@@ -19,13 +19,8 @@ float hopelessUntil(Ray ray, float t, float greatest, vec3 inverseDirection) {
                                            : 0.0;
 }
 
-// How close to an end of what is visible the exact value of a sample decides whether it is, for a texture
-// unit may round it to either side.
-float closeToEnd() { return 32.0 * max(valueScale.w, limits.w) + 1e-4 * rangeWidth(); }
-
 // Samples `dt` steps apart.
 Greatest findGreatest(Ray ray, float dt) {
-    float highest = limits.x + limits.w;
     vec3 inverseDirection = safeInverse(ray.direction);
     Greatest best = Greatest(-1e30, ray.tNear);
     float t = nextSample(ray.tBegin, dt, 0.5);
@@ -37,10 +32,7 @@ Greatest findGreatest(Ray ray, float dt) {
         }
         vec3 p = at(ray, t);
         float value = dataAt(p);
-        if (abs(highest - value) < closeToEnd()) {
-            value = exactDataAt(p);
-        }
-        bool better = t < ray.tEnd && insideRange(value) >= 0.0 && sideAt(p) >= 0.0 && value > best.value;
+        bool better = t < ray.tEnd && visibility(p) >= 0.0 && value > best.value;
         best.value = better ? value : best.value;
         best.t = better ? t : best.t;
         t += dt;
@@ -51,8 +43,8 @@ Greatest findGreatest(Ray ray, float dt) {
 #ifdef SLABS
 layout(binding = kSlabListsTexture) uniform usamplerBuffer slabLists;
 
-// Looks at the samples of one slab. `closest`: how close to the upper end of what is visible values come.
-void searchSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best, inout float closest) {
+// Looks at the samples of one slab.
+void searchSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {
     float number = slabs.first + float(slab * slabs.samples) + 0.5;
     float end = number + float(slabs.samples);
     float highest = limits.x + limits.w;
@@ -61,7 +53,6 @@ void searchSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best, i
             float t = (number + float(i)) * dt;
             vec3 p = at(ray, t);
             float value = dataAt(p);
-            closest = min(closest, abs(highest - value));
             // Values below the range never are: the search begins there.
             bool counts = t >= ray.tBegin && t < ray.tEnd && value <= highest && sideAt(p) >= 0.0;
 #ifndef SEGMENTS
@@ -75,25 +66,21 @@ void searchSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best, i
     } while (number < end);
 }
 
-// Whether what was found is as great as anything visible can be, and is visible.
-bool isSureToBeGreatest(Ray ray, Greatest found) {
-    float highest = limits.x + limits.w;
-    bool isAtEnd = found.value > highest - closeToEnd() || found.value >= range.y;
-    return isAtEnd && exactDataAt(at(ray, found.t)) <= highest && exactSideAt(at(ray, found.t)) >= 0.0;
-}
+// How close to the lower end of what is visible the exact value of a sample decides whether it is, for a
+// texture unit may round it to either side.
+float closeToEnd() { return 32.0 * max(valueScale.w, limits.w) + 1e-4 * rangeWidth(); }
 
 // As findGreatest, for the ray of a pixel: its beam's slabs in order, and only those that may hold more.
 Greatest findGreatestInSlabs(Ray ray, float dt) {
     Slabs slabs = slabsAlong(ray.beamEnds, dt);
     float lowest = range.x - max(2.0 * valueScale.w, 1e-30); // a little below what counts
     Greatest best = Greatest(lowest - closeToEnd(), ray.tNear);
-    float closest = 1e30;
     int list = placeOfList(ray.beam);
     int place = 0;
     uint entry = texelFetch(slabLists, list).r;
     bool isOver;
     do {
-        searchSlab(ray, slabs, int(entry >> 8), dt, best, closest);
+        searchSlab(ray, slabs, int(entry >> 8), dt, best);
         uint code = best.value > lowest ? codeOfGreatest(best.value) : 0u;
 #ifdef SEGMENTS
         code = min(
@@ -106,9 +93,6 @@ Greatest findGreatestInSlabs(Ray ray, float dt) {
             isOver = (entry & 0xffu) == 0u || bucketOf(entry & 0xffu) < bucket;
         } while ((entry & 0xffu) <= code && !isOver);
     } while (!isOver);
-    if (closest < closeToEnd() && !isSureToBeGreatest(ray, best)) {
-        best = findGreatest(ray, dt);
-    }
     if (abs(range.x - best.value) < closeToEnd()) {
         best.value = exactDataAt(at(ray, best.t));
     }

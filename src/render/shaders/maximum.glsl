@@ -101,13 +101,15 @@ Greatest findGreatestInSlabs(Ray ray, float dt) {
 }
 
 #if defined(TF_KIND) || defined(SEGMENTS)
-// Where the value is greatest among the sample that was found and the two beside it, on the first of them: at
-// the border of what is all alike it hangs on a texture unit's rounding which of them it finds the greatest.
+// Where the value is greatest among the sample that was found and those beside it, on the first of them:
+// where two voxels are alike it hangs on a texture unit's rounding which of the samples between them and
+// around them it finds the greatest.
+const int kBeside = 4; // two voxels in samples that lie half a voxel apart
 float settled(Ray ray, Greatest found, float dt) {
     float highest = limits.x + limits.w;
     float number = floor(found.t / dt);
     vec2 most = vec2(-1e30, found.t);
-    for (int i = -1; i <= 1 && found.value > -1e30; ++i) {
+    for (int i = -kBeside; i <= kBeside && found.value > -1e30; ++i) {
         float t = (number + 0.5 + float(i)) * dt;
         vec3 p = at(ray, t);
         float value = exactDataAt(p);

@@ -133,11 +133,12 @@ TEST_F(BricksTest, PicturesAreThoseOfOneTexture) {
     });
 }
 
-// What is all alike begins at a sample that hangs on rounding, and its tint on where it begins.
+// What is all alike begins at a sample that hangs on rounding, and its tint on where it begins. (Where a ray
+// meets the like twice, and once by a hair, it is not known which is the brightest.)
 TEST_F(BricksTest, TheBrightestIsTintedAlike) {
     test::SegmentStage stage([](glm::dvec3 p) {
         const double r = glm::length(p - test::kCentre);
-        return r < 9 ? 180.0 : r < 14 ? 240.0 : std::abs(p.x - 20) < 2 ? 240.0 : 130.0;
+        return r < 9 ? 180.0 : r < 14 ? 240.0 : 130.0;
     });
     stage.nest({0.9F, 0.1F, 0.1F, 0.7F}, {0.1F, 0.8F, 0.2F, 1.0F});
     stage.frame.samples = 2;

@@ -53,7 +53,7 @@ void searchSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {
             float t = (number + float(i)) * dt;
             vec3 p = at(ray, t);
             float value = dataAt(p);
-            // Values below the range never are: the search begins there.
+            // Values below the range are not, but one that is close to it may be.
             bool counts = t >= ray.tBegin && t < ray.tEnd && value <= highest && sideAt(p) >= 0.0;
 #ifndef SEGMENTS
             value = min(value, range.y); // what lies above counts as the range's upper end
@@ -74,7 +74,7 @@ float closeToEnd() { return 32.0 * max(valueScale.w, limits.w) + 1e-4 * rangeWid
 Greatest findGreatestInSlabs(Ray ray, float dt) {
     Slabs slabs = slabsAlong(ray.beamEnds, dt);
     float lowest = range.x - max(2.0 * valueScale.w, 1e-30); // a little below what counts
-    Greatest best = Greatest(lowest - closeToEnd(), ray.tNear);
+    Greatest best = Greatest(-1e30, ray.tNear);
     int list = placeOfList(ray.beam);
     int place = 0;
     uint entry = texelFetch(slabLists, list).r;

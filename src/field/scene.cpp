@@ -58,6 +58,9 @@ void SceneBinding::bind(const Scene& scene) {
         scene.apartTiles->bindTexture(kApartTilesTexture);
         scene.apartPages->bindTexture(kApartPagesTexture);
     }
+    if (scene.marks != nullptr) {
+        scene.marks->bind();
+    }
     (scene.segmentLabels != nullptr ? *scene.segmentLabels : segment1_).bindTexture(kSegmentLabelsTexture);
 }
 

@@ -19,6 +19,11 @@ struct Mesh {
     std::string name;
     glm::dvec3 colour{0.8}; // sRGB, 0 to 1
     double opacity = 1;
+    std::vector<glm::vec3> colours; // sRGB, of each point; empty: all have the mesh's
+
+    [[nodiscard]] glm::dvec3 colourOf(std::size_t point) const {
+        return colours.empty() ? colour : glm::dvec3(colours[point]);
+    }
 };
 
 // What long work reports its progress to, from 0 to 1; it returns false to have the work given up. May be

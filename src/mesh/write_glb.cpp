@@ -66,13 +66,20 @@ public:
         const int normal = addArray(normals, kArrayBuffer, kFloat, "VEC3", normals.size());
         const int corners =
             addArray(mesh.triangles, kElementArrayBuffer, kUnsignedInt, "SCALAR", 3 * mesh.triangles.size());
+        Json attributes{{"POSITION", position}, {"NORMAL", normal}};
+        if (!mesh.colours.empty()) {
+            std::vector<glm::vec3> colours;
+            for (const glm::vec3 c : mesh.colours) {
+                colours.emplace_back(linear(c.r), linear(c.g), linear(c.b));
+            }
+            attributes["COLOR_0"] = addArray(colours, kArrayBuffer, kFloat, "VEC3", colours.size());
+        }
         const auto number = json_["meshes"].size();
         json_["materials"].push_back(materialOf(mesh));
-        json_["meshes"].push_back({{"name", mesh.name},
-                                   {"primitives",
-                                    {{{"attributes", {{"POSITION", position}, {"NORMAL", normal}}},
-                                      {"indices", corners},
-                                      {"material", number}}}}});
+        json_["meshes"].push_back(
+            {{"name", mesh.name},
+             {"primitives",
+              {{{"attributes", std::move(attributes)}, {"indices", corners}, {"material", number}}}}});
         json_["nodes"].push_back({{"name", mesh.name}, {"mesh", number}});
         json_["scenes"][0]["nodes"].push_back(number);
     }
@@ -104,7 +111,8 @@ private:
     }
 
     static Json materialOf(const Mesh& mesh) {
-        const glm::dvec3 c = mesh.colour;
+        // The colours of points are multiplied by this one.
+        const glm::dvec3 c = mesh.colours.empty() ? mesh.colour : glm::dvec3(1);
         Json material{{"name", mesh.name},
                       {"pbrMetallicRoughness",
                        {{"baseColorFactor", {linear(c.r), linear(c.g), linear(c.b), mesh.opacity}},

@@ -86,8 +86,8 @@ void writePly(const std::filesystem::path& path, std::span<const Mesh> meshes) {
     colours->SetNumberOfComponents(3);
     vtkNew<vtkPLYWriter> writer;
     for (const Mesh& mesh : meshes) {
-        const glm::dvec3 colour = glm::round(mesh.colour * 255.0);
         for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+            const glm::dvec3 colour = glm::round(mesh.colourOf(i) * 255.0);
             colours->InsertNextTuple3(colour.r, colour.g, colour.b);
         }
     }

@@ -33,8 +33,14 @@ std::string objText(std::span<const Mesh> meshes, const std::string& materials) 
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         const Mesh& mesh = meshes[i];
         fmt::format_to(out, "o {}\nusemtl {}\n", wordOf(mesh, i), materialOf(mesh, i));
-        for (const glm::vec3 p : mesh.points) {
-            fmt::format_to(out, "v {} {} {}\n", p.x, p.y, p.z);
+        for (std::size_t n = 0; n < mesh.points.size(); ++n) {
+            const glm::vec3 p = mesh.points[n];
+            fmt::format_to(out, "v {} {} {}", p.x, p.y, p.z);
+            if (!mesh.colours.empty()) {
+                const glm::vec3 c = mesh.colours[n];
+                fmt::format_to(out, " {:.4f} {:.4f} {:.4f}", c.r, c.g, c.b);
+            }
+            text += '\n';
         }
         for (const glm::vec3 n : normalsOf(mesh)) {
             fmt::format_to(out, "vn {:.4f} {:.4f} {:.4f}\n", n.x, n.y, n.z);

@@ -19,6 +19,7 @@ QWidget* makeKeepPage(StudioController& studio, ToolBox& tools);
 QWidget* makeClipPage(StudioController& studio, ToolBox& tools);
 QWidget* makeSeedPage(StudioController& studio, ToolBox& tools);
 QWidget* makeIslandPage(StudioController& studio, ToolBox& tools);
+QWidget* makeMarkPage(StudioController& studio, ToolBox& tools);
 QWidget* makeMeasurePage(StudioController& studio, ToolBox& tools);
 QWidget* makePaintPage(StudioController& studio, ToolBox& tools);
 QWidget* makeMovePage(StudioController& studio, ToolBox& tools);

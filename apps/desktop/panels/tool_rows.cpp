@@ -9,6 +9,7 @@
 #include "tools/island_tool.h"
 #include "tools/keep_tool.h"
 #include "tools/laser_tool.h"
+#include "tools/mark_tool.h"
 #include "tools/measure_tool.h"
 #include "tools/move_tool.h"
 #include "tools/paint_tool.h"
@@ -52,6 +53,9 @@ std::vector<ToolRow> toolRows(ToolBox& tools) {
         {tools.get<MoveTool>(), Group::Marks, 0, "G", tr("Move"),
          tr("Move, turn and scale pasted parts and segments that are pulled out"), tr("Move part"),
          makeMovePage},
+        {tools.get<MarkTool>(), Group::Marks, 13, "J", tr("Mark"),
+         tr("Draw with a marking pen on the surface; the marks stay on the material"), tr("Mark"),
+         makeMarkPage},
         {tools.get<MeasureTool>(), Group::Marks, 12, "M", tr("Measure"),
          tr("Measure distances and angles, on the surface and on slices"), tr("Measure"), makeMeasurePage},
     };

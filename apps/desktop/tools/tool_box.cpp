@@ -8,6 +8,7 @@
 #include "tools/island_tool.h"
 #include "tools/keep_tool.h"
 #include "tools/laser_tool.h"
+#include "tools/mark_tool.h"
 #include "tools/measure_tool.h"
 #include "tools/move_tool.h"
 #include "tools/paint_tool.h"
@@ -39,6 +40,7 @@ ToolBox::ToolBox(StudioController& studio) : QObject(&studio) {
               new IslandTool(studio),
               paint,
               measure,
+              new MarkTool(studio),
               new PlayTool(studio, *camera)};
     slicePen_ = new SlicePen(studio, *seed, *paint, *measure);
     for (Tool* tool : tools_) {

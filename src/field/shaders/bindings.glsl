@@ -29,6 +29,7 @@ const int kTargetImage = 0;
 // Storage blocks.
 const int kCountsStorage = 0;
 const int kBrickUsesStorage = 6;
+const int kMarksOfMaterialStorage = 7;
 
 // Uniform blocks.
 const int kSceneBlock = 0;

@@ -48,6 +48,7 @@ gl::Defines RayCaster::definesFor(const Frame& frame) {
         {"TRICUBIC", scene.sampling == field::Sampling::Tricubic},
         {"SEGMENTS", addsSegments(frame)},
         {"TRANSLUCENT", drawsTranslucent(frame)},
+        {"MARKS", scene.marks != nullptr && isLit},
     });
     if (frame.detail != nullptr) {
         frame.detail->addDefines(layersOf(frame), defines);

@@ -19,6 +19,10 @@ const int kPieces = 8; // several a turn: on a software renderer the turn itself
 const int kColoursAPiece = 2;       // of a transfer function of gradients, that are mixed
 const float kUnseen = 1.0 / 2048.0; // pieces that make less of the pixel than this are not lit, only coloured
 
+#ifdef MARKS
+const float kMarkedInVolume = 0.5; // of steps: how sharp edges of marks are where nothing has a surface
+#endif
+
 // The part of the way from one place to the next that lies on the visible side: x where it begins, y where it
 // ends.
 vec2 visiblePart(float sideBefore, float sideAfter) {
@@ -83,6 +87,10 @@ vec3 litInVolume(vec4 colour, Ray ray, vec3 p, bool isCut) {
     surface = isCut ? 1.0 : surface;
     vec3 normal = facing(gradient, -ray.world);
     vec3 albedo = colour.rgb / max(colour.a, 1e-6);
+#ifdef MARKS
+    vec4 mark = markAt(p, kMarkedInVolume);
+    albedo = mix(albedo, mark.rgb, mark.a);
+#endif
 #ifdef LIT
     vec2 reaching = cheapLight(p, normal);
 #else

@@ -2,13 +2,13 @@
 // SCULPTED: the sculpture hides some. SEGMENTED: there are segments. TINTED: what the 3D picture shows is
 // coloured: by the transfer function where there is a TF_KIND, else in one tint.
 // BRICKS: values are those of a finer level. FINER: see cast_rays.comp. FINER_CUTS, FINER_SEGMENTS: what is
-// cut and what belongs to segments is, too.
+// cut and what belongs to segments is, too. MARKS: see there.
 // Spaces: the slice runs through voxel centres of the scene, so of a place's cell only four corners count;
 // they are asked for once, and everything is interpolated from them: corner 0 is the cell's first, 1 across,
 // 2 down, 3 both. Of a finer level's cell, too, of which it may run between two layers of voxels.
 //
 // In: the scene, texture 14 segment colours. Out: image 0.
-// variants: ;SCULPTED=1 SEGMENTED=1 TINTED=1;BRICKS=1 FINER=1 SCULPTED=1 FINER_CUTS=1;BRICKS=1 FINER=1 SEGMENTED=1 FINER_SEGMENTS=1;BRICKS=1 FINER=1 SCULPTED=1 SEGMENTED=1 FINER_CUTS=1 FINER_SEGMENTS=2
+// variants: ;SCULPTED=1 SEGMENTED=1 TINTED=1;BRICKS=1 FINER=1 SCULPTED=1 FINER_CUTS=1;BRICKS=1 FINER=1 SEGMENTED=1 FINER_SEGMENTS=1;BRICKS=1 FINER=1 SCULPTED=1 SEGMENTED=1 FINER_CUTS=1 FINER_SEGMENTS=2;SCULPTED=1 SEGMENTED=1 TINTED=1 MARKS=1;BRICKS=1 FINER=1 SCULPTED=1 SEGMENTED=1 FINER_CUTS=1 FINER_SEGMENTS=2 MARKS=1
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "field/shaders/bindings.glsl"
@@ -19,6 +19,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "render/shaders/gradients.glsl"
 #endif
 #include "render/shaders/shading.glsl"
+#ifdef MARKS
+#include "field/shaders/marks.glsl"
+#endif
 
 layout(binding = kSegmentColoursTexture) uniform sampler2D
     segmentColours; // one row of 256, by label: linear, a opacity
@@ -284,6 +287,10 @@ void main() {
         coverBySegments(colour, finer);
 #elif defined(SEGMENTED)
         coverBySegments(colour, cell);
+#endif
+#ifdef MARKS
+        vec4 mark = markAt(p, length(perRight * spacing.xyz) / spacing.w);
+        colour = mix(colour, displayFromLinear(mark.rgb), mark.a);
 #endif
     }
     imageStore(picture, pixel, vec4(colour, 1.0));

@@ -36,12 +36,24 @@ vec2 lightAt(Hit hit) {
 
 float greyOf(float value) { return clamp((value - range.z) / max(range.w - range.z, 1e-20), 0.0, 1.0); }
 
+#ifdef MARKS
+// How wide a pixel is at t, in steps.
+float pixelSteps(float t) {
+    float across = viewForward.w > 0.5 ? length(mat3(worldFromVoxel) * rightVoxel.xyz) / spacing.w : t * viewport.z;
+    return 2.0 * across / viewport.x;
+}
+#endif
+
 // The display colour of a hit; `segmentColour` is its segment's, if it has one.
 vec3 shadeHit(Hit hit, Ray ray, vec3 segmentColour) {
     vec3 right = viewRight.xyz;
     vec3 up = viewUp.xyz;
     vec2 reaching = lightAt(hit);
     vec3 albedo = hit.isSegment ? segmentColour : surfaceColour(hit, ray);
+#ifdef MARKS
+    vec4 mark = markAt(hit.voxel, pixelSteps(hit.t));
+    albedo = mix(albedo, mark.rgb, mark.a);
+#endif
     vec3 surface =
         displayFromLinear(lit(albedo, hit.normal, -ray.world, right, up, -viewForward.xyz, 0.12, reaching));
     // A section shows the data's own values: grey, shaded just enough to tell its shape.
@@ -52,6 +64,9 @@ vec3 shadeHit(Hit hit, Ray ray, vec3 segmentColour) {
         linearFromDisplay(vec3(0.15 + 0.85 * greyOf(sectionValueAt(hit.voxel))) * vec3(1.0, 0.985, 0.96));
 #endif
     section = hit.isSegment ? mix(section, segmentColour, 0.55) : section;
+#ifdef MARKS
+    section = mix(section, mark.rgb, mark.a);
+#endif
     vec3 key = normalize(-0.45 * right + 0.65 * up - 0.75 * viewForward.xyz);
     section = displayFromLinear(section *
                                 (0.55 * reaching.y + 0.45 * reaching.x * max(dot(hit.cutNormal, key), 0.0)));

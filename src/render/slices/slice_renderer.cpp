@@ -26,7 +26,8 @@ field::Detail::Layers layersOf(const SliceFrame& frame) {
 gl::Defines definesFor(const SliceFrame& frame) {
     gl::Defines defines = gl::switchesOn({{"SCULPTED", isSculpted(frame)},
                                           {"SEGMENTED", frame.scene.segmentation != nullptr},
-                                          {"TINTED", frame.tintsVisible}});
+                                          {"TINTED", frame.tintsVisible},
+                                          {"MARKS", frame.scene.marks != nullptr}});
     if (frame.detail != nullptr) {
         frame.detail->addDefines(layersOf(frame), defines);
     }

@@ -23,6 +23,7 @@ namespace vs::studio {
 
 struct DocumentState;
 class LiveGrowth;
+class LiveMark;
 class LiveStroke;
 class PartQueries;
 class Region;
@@ -117,7 +118,10 @@ public:
     // temporary file.
     void setUndoMemory(std::size_t bytes);
 
-    LiveStroke& stroke();  // what the pen does now
+    LiveStroke& stroke(); // what the pen does now
+    LiveMark& mark();     // what a marking pen does now
+    // Colours that were laid on the material.
+    [[nodiscard]] const field::SharedMarks& marks() const;
     LiveGrowth& growing(); // growth that goes on
 
     // --- pictures, and what is where in them

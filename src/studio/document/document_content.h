@@ -33,6 +33,7 @@ struct DocumentContent {
     std::map<std::uint8_t, segment::GrowthState> runs;
     SegmentList segments;
     std::vector<Measure> measurements;
+    field::SharedMarks marks = std::make_shared<const field::Marks>();
     std::vector<std::string> parts; // names of those that were pasted; where they are is in the view
     std::size_t stepsDone = 0;      // of undo
     std::size_t stepsUndone = 0;

@@ -80,6 +80,7 @@ std::shared_ptr<const DocumentFacts> factsOf(const Contents& contents, std::size
     facts->edits =
         before.edits->revision == contents.history.revision() ? before.edits : editsOf(contents.history);
     facts->measurements = contents.measurements;
+    facts->hasMarks = !contents.marks->isEmpty();
     const bool isMeasured =
         before.measurements == contents.measurements && before.geometry == contents.scan.volume.geometry;
     facts->measured = isMeasured ? before.measured : measuredIn(contents, before);

@@ -59,6 +59,7 @@ struct DocumentFacts {
     // The measurements and what they come to; shared with earlier facts while that is the same.
     std::shared_ptr<const std::vector<Measured>> measured = std::make_shared<std::vector<Measured>>();
     Measurements measurements = std::make_shared<std::vector<Measure>>();
+    bool hasMarks = false;
     std::vector<PartInfo> parts; // that were pasted, in the order of the view's places
     SegmentList segments;
     std::array<std::size_t, 256> voxels{}; // shown of each segment, by its label
@@ -67,7 +68,9 @@ struct DocumentFacts {
     GrowthStatus growth;
     GrowthRules rules;
 
-    [[nodiscard]] bool isStrokeOpen() const { return inHand == InHand::Stroke; }
+    [[nodiscard]] bool isMarkOpen() const { return inHand == InHand::Mark; }
+    // A stroke or a mark.
+    [[nodiscard]] bool isStrokeOpen() const { return inHand == InHand::Stroke || isMarkOpen(); }
     [[nodiscard]] bool isGrowing() const { return inHand == InHand::Growth; }
     [[nodiscard]] bool isScrubbing() const { return inHand == InHand::Scrub; }
     [[nodiscard]] bool canUndo() const { return edits->done > 0; }

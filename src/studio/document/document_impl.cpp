@@ -50,7 +50,8 @@ Outcome Document::Impl::run(Operation& operation, const std::filesystem::path& f
             } else if constexpr (requires { run(op); }) {
                 return run(op);
             } else {
-                return runByOneOf(op, cuts, parts, scan, measurements, growth, segmentList, segmentShapes);
+                return runByOneOf(op, cuts, parts, scan, measurements, marks, growth, segmentList,
+                                  segmentShapes);
             }
         },
         operation);
@@ -184,6 +185,9 @@ Outcome Document::Impl::travel(Edit& edit, bool isUndo) {
     }
     if (const auto& list = isUndo ? edit.measurementsBefore : edit.measurementsAfter) {
         measurements.show(list);
+    }
+    if (const auto& laid = isUndo ? edit.marksBefore : edit.marksAfter) {
+        marks.show(laid);
     }
     ++contents.version;
     return outcome;

@@ -3,6 +3,7 @@
 
 #include "studio/document/document.h"
 #include "studio/document/live_growth.h"
+#include "studio/document/live_mark.h"
 #include "studio/document/live_stroke.h"
 #include "studio/document/operation_log.h"
 #include "studio/document/part_queries.h"
@@ -16,6 +17,7 @@
 #include "studio/editing/scan_editor.h"
 #include "studio/editing/segment_list_editor.h"
 #include "studio/editing/segment_shape_editor.h"
+#include "studio/marking/mark_editor.h"
 
 #include <memory>
 
@@ -45,6 +47,7 @@ struct Document::Impl {
     PartEditor parts{contents, display};
     ScanEditor scan{contents, cutter};
     MeasurementEditor measurements{contents};
+    MarkEditor marks{contents, display, cutter};
     GrowthEditor growth{contents, display, cutter};
     SegmentListEditor segmentList{contents};
     SegmentShapeEditor segmentShapes{contents, display, cutter, cuts};
@@ -52,6 +55,7 @@ struct Document::Impl {
     OperationLog log{contents.view};
 
     LiveStroke liveStroke{contents, cuts, log};
+    LiveMark liveMark{contents, marks, log};
     LiveGrowth liveGrowth{contents, growth, log};
     SurfaceQueries surface{contents, display, cutter};
     PartQueries partQueries{contents, display};

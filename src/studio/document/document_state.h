@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "field/marks/marks.h"
 #include "sculpt/sculpture/brick_backup.h"
 #include "segment/growth/growth_snapshot.h"
 #include "segment/growth/growth_undo.h"
@@ -48,6 +49,8 @@ struct SavedEdit {
     std::optional<volume::GridGeometry> geometryAfter = {};
     Measurements measurementsBefore = {};
     Measurements measurementsAfter = {};
+    field::SharedMarks marksBefore = {};
+    field::SharedMarks marksAfter = {};
     bool isLimited = false;
     std::optional<std::uint64_t> cutContent = {};
 };
@@ -66,6 +69,7 @@ struct DocumentState {
     std::optional<segment::GrowthSnapshot> growth = {};
     SegmentList segments;
     Measurements measurements = std::make_shared<const std::vector<Measure>>();
+    field::SharedMarks marks = std::make_shared<const field::Marks>();
     std::vector<SavedEdit> done;
     std::vector<SavedEdit> undone; // the next to redo last
 };

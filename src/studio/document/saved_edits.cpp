@@ -47,6 +47,8 @@ SavedEdit savedEdit(const History& history, const Edit& edit, bool isDone, KeptP
     saved.geometryAfter = edit.geometryAfter;
     saved.measurementsBefore = edit.measurementsBefore;
     saved.measurementsAfter = edit.measurementsAfter;
+    saved.marksBefore = edit.marksBefore;
+    saved.marksAfter = edit.marksAfter;
     saved.isLimited = edit.isLimited;
     saved.cutContent = edit.cutContent;
     return saved;
@@ -74,6 +76,8 @@ Edit restoredEdit(SavedEdit saved, const RestoredPastes& pastes, const gl::Textu
     edit.geometryAfter = saved.geometryAfter;
     edit.measurementsBefore = std::move(saved.measurementsBefore);
     edit.measurementsAfter = std::move(saved.measurementsAfter);
+    edit.marksBefore = std::move(saved.marksBefore);
+    edit.marksAfter = std::move(saved.marksAfter);
     edit.trim = std::move(saved.trim);
     edit.isLimited = saved.isLimited;
     edit.cutContent = saved.cutContent;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "field/marks/marks.h"
 #include "sculpt/sculpture/sculpture.h"
 #include "sculpt/sculpture/trimmed.h"
 #include "studio/editing/in_hand.h"
@@ -49,6 +50,7 @@ struct Contents {
     Region region;
     SegmentList segments;
     Measurements measurements = std::make_shared<const std::vector<Measure>>();
+    field::SharedMarks marks = std::make_shared<const field::Marks>();
     View view;
     History history;
     std::uint64_t version = 0;      // counts changes that pictures can show

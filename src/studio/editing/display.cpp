@@ -17,6 +17,7 @@ Pipeline::State Display::stateOf(const View& from, double segmentsMs) const {
                           ? segment::Smoothing::Plain
                           : segment::Smoothing::Smooth;
     state.segmentsMs = segmentsMs;
+    state.marks = contents_->marks;
     state.greyWindow = contents_->scan.grey;
     state.cuttingSince = contents_->cuttingSince;
     return state;

@@ -93,6 +93,15 @@ std::vector<volume::StoreFacts::Label> FileWriter::labelFacts() const {
     return labels;
 }
 
+Outcome FileWriter::run(const SaveMarks& op, const std::filesystem::path& folder) {
+    if (contents_.marks->isEmpty()) {
+        throw Error("{}: nothing is marked that could be written", op.file);
+    }
+    const volume::GridGeometry& grid = contents_.scan.volume.geometry;
+    volume::writeColours(folder / op.file, grid, field::coloursOfVoxels(*contents_.marks));
+    return {{}, 0, 0, say("%1", op.file)};
+}
+
 Outcome FileWriter::run(const SaveLabels& op, const std::filesystem::path& folder) {
     if (const auto* finest = contents_.region.finest(); finest != nullptr && volume::isStoreName(op.file)) {
         writeStore<std::uint8_t>(folder / op.file, {contents_.region.geometry(), "", "", "", labelFacts()},

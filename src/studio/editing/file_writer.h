@@ -28,6 +28,7 @@ public:
     image::Image picture(const SavePicture& op, const View& view, const Drawn& drawn);
     // `drawn`: the strokes that the picture shows, if it shows any.
     Outcome run(const SavePicture& op, const std::filesystem::path& folder, const Drawn& drawn);
+    Outcome run(const SaveMarks& op, const std::filesystem::path& folder);
     Outcome run(const SaveLabels& op, const std::filesystem::path& folder);
     Outcome run(const SaveSculpture& op, const std::filesystem::path& folder);
 

@@ -5,6 +5,6 @@ namespace vs::studio {
 
 // Work that is shown while it goes on and is one operation when it ends. Only one at a time, and nothing else
 // is done meanwhile.
-enum class InHand { Nothing, Stroke, Growth, Scrub };
+enum class InHand { Nothing, Stroke, Mark, Growth, Scrub };
 
 } // namespace vs::studio

@@ -142,6 +142,8 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
         state.growth->syncLabels();
         scene.segmentLabels = &state.growth->seedMap().labels();
     }
+    marks_.show(state.marks);
+    scene.marks = marks_.isEmpty() ? nullptr : &marks_;
     scene.displayedRange = state.view->range;
     scene.showsAbove = state.view->showsAbove();
     scene.greyWindow = state.greyWindow;
@@ -270,6 +272,7 @@ PictureContent Pipeline::contentOf(const State& state, const render::Frame& fram
     content.showsUncut =
         frame.scene.sculpture == nullptr && view.sculptureView == field::SculptureView::Probe;
     content.isCutAlongSegments = frame.scene.isCutAlongSegments;
+    content.marks = state.marks;
     content.isLocal = frame.pasted.empty() && frame.pulled.empty() && frame.occlusion == nullptr;
     content.segments.making = segmentationsMade_;
     if (frame.scene.segmentation != nullptr) {

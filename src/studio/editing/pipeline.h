@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field/bricks/detail.h"
+#include "field/marks/mark_buffer.h"
 #include "field/smoothed_field.h"
 #include "render/rays/ray_caster.h"
 #include "render/slices/slice_renderer.h"
@@ -40,6 +41,7 @@ public:
         bool isCutAlongSegments = false;             // field::Scene
         segment::Smoothing smoothing = segment::Smoothing::Smooth;
         double segmentsMs = segment::Segmentation::kNoHurry; // that bringing the segments up to date may take
+        field::SharedMarks marks;
         Range greyWindow;
         // The sculpture's version when the stroke in hand began. While it cuts, the macrocells of that moment
         // hold everything that can be seen, and are kept so that a stamp costs only what it touches.
@@ -100,6 +102,7 @@ private:
     field::CellRanges cellRanges_;
     std::optional<segment::Segmentation> segmentation_; // made when first drawn
     int segmentationsMade_ = 0;
+    field::MarkBuffer marks_;
     PictureContent content_; // of the last frame
     // The same for pasted parts, while they are drawn beside what is left and growth had a fence.
     std::optional<segment::Segmentation> partSegmentation_;

@@ -29,6 +29,7 @@ ExportReader::ExportReader(Document& document, ExportSettings::What what,
     source_.geometry = document.volume().geometry;
     source_.isCorrected = source_.geometry != document.geometryInFile();
     source_.segments = std::move(segments);
+    source_.marks = document.marks();
     source_.view = document.view().sculptureView;
     needsLabels_ = what == ExportSettings::What::Segments;
     if (what == ExportSettings::What::Volume) {

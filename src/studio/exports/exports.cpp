@@ -41,6 +41,24 @@ mesh::Mesh surfaceOf(std::uint8_t label, const ExportSource& source, const std::
     return mesh::segmentSurface(source.labels, source.geometry, label, boxes[label]);
 }
 
+// Points take the colours of marks, as pictures show them.
+void colourByMarks(mesh::Mesh& mesh, const ExportSource& source) {
+    if (source.marks == nullptr || source.marks->isEmpty()) {
+        return;
+    }
+    const glm::dmat4 voxelFromWorld = source.geometry.voxelFromWorld();
+    std::vector<glm::vec3> colours;
+    bool isMarked = false;
+    for (const glm::vec3 point : mesh.points) {
+        const glm::dvec4 mark = source.marks->colourAt(glm::dvec3(voxelFromWorld * glm::dvec4(point, 1)));
+        isMarked = isMarked || mark.w > 0;
+        colours.emplace_back(glm::mix(mesh.colour, glm::dvec3(mark), mark.w));
+    }
+    if (isMarked) {
+        mesh.colours = std::move(colours);
+    }
+}
+
 std::vector<mesh::Mesh> segmentMeshes(const ExportSource& source, const mesh::Refinement& refinement,
                                       const mesh::Progress& progress) {
     const auto boxes = segment::labelBoxes(source.labels, source.geometry.dims);
@@ -57,6 +75,7 @@ std::vector<mesh::Mesh> segmentMeshes(const ExportSource& source, const mesh::Re
         mesh.opacity = segment.opacity;
         meshes.push_back(mesh::refined(std::move(mesh), refinement,
                                        mesh::partOf(progress, from + kContouring / count, from + 1 / count)));
+        colourByMarks(meshes.back(), source);
     }
     return meshes;
 }
@@ -77,6 +96,7 @@ std::vector<mesh::Mesh> volumeMeshes(const ExportSource& source, const ExportSet
         mesh.colour = kVolumeColour;
         mesh = mesh::refined(std::move(mesh), settings.refinement,
                              mesh::partOf(progress, from + kContouring / count, from + 1 / count));
+        colourByMarks(mesh, source);
         if (part != nullptr) {
             const glm::dmat4 there = render::worldFromPart(part->place, source.geometry);
             for (glm::vec3& point : mesh.points) {

@@ -80,6 +80,7 @@ struct ExportSource {
         volume::GridGeometry geometry;
     };
     std::optional<FinestLabels> finestLabels;
+    field::SharedMarks marks; // colours that surfaces have where they are marked; null: none
     std::shared_ptr<const SegmentMeasures> finestMeasures; // figures of those; null: of `labels`
 };
 

@@ -3,6 +3,7 @@
 
 #include "base/described_json.h"
 #include "studio/json/growth_json.h"
+#include "studio/json/marks_json.h"
 #include "studio/json/operation_json.h"
 #include "volume/reading/label_map.h"
 
@@ -30,6 +31,8 @@ void forEachPart(E& edit, Visit visit) {
     visit("geometryAfter", edit.geometryAfter);
     visit("measurementsBefore", edit.measurementsBefore);
     visit("measurementsAfter", edit.measurementsAfter);
+    visit("marksBefore", edit.marksBefore);
+    visit("marksAfter", edit.marksAfter);
 }
 
 Json writePart(StateWriter& file, const std::optional<sculpt::BrickDelta>& part) {
@@ -39,6 +42,7 @@ Json writePart(StateWriter&, const std::optional<SavedParts>& part) { return sto
 Json writePart(StateWriter&, const std::optional<SegmentList>& part) { return vs::write(*part, Rule()); }
 Json writePart(StateWriter&, const std::optional<volume::GridGeometry>& part) { return stored(*part); }
 Json writePart(StateWriter&, const Measurements& part) { return stored(part); }
+Json writePart(StateWriter& file, const field::SharedMarks& part) { return stored(file, part); }
 
 void readPart(StateReader& file, const JsonReader& from, glm::ivec3 dims,
               std::optional<sculpt::BrickDelta>& part) {
@@ -53,6 +57,9 @@ void readPart(StateReader&, const JsonReader& from, glm::ivec3, std::optional<Se
 void readPart(StateReader&, const JsonReader& from, glm::ivec3 dims,
               std::optional<volume::GridGeometry>& part) {
     part = readGeometry(from, dims);
+}
+void readPart(StateReader& file, const JsonReader& from, glm::ivec3 dims, field::SharedMarks& part) {
+    part = readMarks(file, from, dims);
 }
 void readPart(StateReader&, const JsonReader& from, glm::ivec3, Measurements& part) {
     part = readMeasurements(from);

@@ -40,12 +40,18 @@ public:
     // Adds a list that other parts of the state share with this one: it is there once.
     template <typename T>
     nlohmann::ordered_json shared(const std::shared_ptr<const std::vector<T>>& values) {
-        const auto known = shared_.find(values.get());
+        return once(values, [&] { return list(*values); });
+    }
+    // What `write` says of something that other parts of the state share with this one: it is asked once.
+    template <typename T, typename Write>
+    nlohmann::ordered_json once(const std::shared_ptr<const T>& value, Write write) {
+        const auto known = shared_.find(value.get());
         if (known != shared_.end()) {
             return known->second;
         }
-        keep_.push_back(values);
-        return shared_[values.get()] = list(*values);
+        keep_.push_back(value);
+        nlohmann::ordered_json said = write();
+        return shared_[value.get()] = std::move(said);
     }
     // Ends the file. Returns its checksum.
     std::string finish(const nlohmann::ordered_json& contents);
@@ -88,13 +94,20 @@ public:
     // A list that may be shared: read once.
     template <typename T>
     std::shared_ptr<const std::vector<T>> shared(const JsonReader& place, std::size_t most) {
-        // Which numbers they are is part of the key: a file may claim that two lists are one.
-        auto& known = shared_[fmt::format("{} {} {} {}", typeid(T).name(), place.at(0).number(),
-                                          place.at(1).number(), place.at(2).number())];
-        if (!known) {
-            known = std::make_shared<const std::vector<T>>(list<T>(place, most));
+        return once<std::vector<T>>(place, [&] { return list<T>(place, most); });
+    }
+    // What `read` makes of a list that may be shared: asked once.
+    template <typename T, typename Read>
+    std::shared_ptr<const T> once(const JsonReader& place, Read read) {
+        // What they become is part of the key: a file may claim that two lists are one.
+        const std::string key = fmt::format("{} {} {} {}", typeid(T).name(), place.at(0).number(),
+                                            place.at(1).number(), place.at(2).number());
+        if (const auto known = shared_.find(key); known != shared_.end()) {
+            return std::static_pointer_cast<const T>(known->second);
         }
-        return std::static_pointer_cast<const std::vector<T>>(known);
+        auto made = std::make_shared<const T>(read());
+        shared_[key] = made;
+        return made;
     }
 
 private:

@@ -5,6 +5,7 @@
 #include "studio/json/edit_json.h"
 #include "studio/json/growth_json.h"
 #include "studio/json/kept_json.h"
+#include "studio/json/marks_json.h"
 #include "studio/json/operation_json.h"
 #include "studio/json/session_json.h"
 
@@ -31,6 +32,9 @@ nlohmann::ordered_json stored(StateWriter& file, const DocumentState& state) {
               {"parts", stored(state.parts)},
               {"segments", vs::write(state.segments, Rule())},
               {"measurements", stored(state.measurements)}};
+    if (!state.marks->isEmpty()) {
+        json["marks"] = stored(file, state.marks);
+    }
     if (state.trimmed) {
         json["trimmed"] = stored(file, *state.trimmed);
     }
@@ -60,6 +64,7 @@ DocumentState readState(StateReader& file, glm::ivec3 dims) {
     state.parts = readParts(from.member("parts"));
     vs::read(from.member("segments"), state.segments, Rule());
     state.measurements = readMeasurements(from.member("measurements"));
+    from.ifHas("marks", [&](const JsonReader& r) { state.marks = readMarks(file, r, dims); });
     from.ifHas("trimmed", [&](const JsonReader& r) { state.trimmed = readDelta(file, r, dims); });
     forEachIn(from.member("pastes"),
               [&](const JsonReader& one) { state.pastes.push_back(readDelta(file, one, dims)); });

@@ -40,6 +40,21 @@ std::vector<Phrase> Laser::details() const { return withRestore(*this); }
 std::vector<Phrase> Sweep::details() const { return withRestore(*this); }
 std::vector<Phrase> Clip::details() const { return withRestore(*this); }
 
+std::vector<Phrase> Mark::details() const {
+    std::vector<Phrase> said;
+    if (erases) {
+        said.push_back({VS_TEXT("library", "erase")});
+    }
+    if (kind == Kind::Text) {
+        said.push_back(inQuotes(text));
+    } else if (kind == Kind::Area) {
+        said.push_back({VS_TEXT("library", "area")});
+    } else {
+        said.push_back({VS_TEXT("library", "%1 mm wide"), {fmt::format("{:.3g}", widthMm)}});
+    }
+    return said;
+}
+
 std::vector<Phrase> Scissors::details() const {
     return withRestore(*this, {{cutsOutside ? VS_TEXT("library", "outside") : VS_TEXT("library", "inside")}});
 }

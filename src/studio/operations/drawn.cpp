@@ -23,6 +23,10 @@ struct Drawing {
     }
     Drawn operator()(const Seed& op) const { return strokes(op.strokes, op.widthPixels, op.canvas); }
     Drawn operator()(const Absorb& op) const { return strokes(op.strokes, op.widthPixels, op.canvas); }
+    Drawn operator()(const Mark& op) const {
+        return op.kind == Mark::Kind::Area ? masked(op.sketch, op.canvas)
+                                           : strokes({op.sketch}, 1, op.canvas);
+    }
     Drawn operator()(const BrushSegment& op) const {
         return std::visit([this](const auto& stroke) { return (*this)(stroke); }, op.stroke);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is wrong with operations whose members are right one by one.
+#include "marking/pen_letters.h"
 #include "studio/operations/housekeeping.h"
+#include "studio/operations/marking.h"
 #include "studio/operations/measuring.h"
 #include "studio/operations/sweeping.h"
 #include "volume/measures/figures.h"
@@ -36,6 +38,26 @@ Fault SweepPath::faultOf() const {
 Fault Clip::faultOf() const {
     if (box && glm::any(glm::greaterThan(box->lo, box->hi))) {
         return {"box", "its first corner must not lie above its second along any axis"};
+    }
+    return {};
+}
+
+Fault Mark::faultOf() const {
+    if (!pressures.empty() && pressures.size() != sketch.points.size()) {
+        return {"pressures", fmt::format("there are {} for {} points; one for each is needed, or none",
+                                         pressures.size(), sketch.points.size())};
+    }
+    if (kind == Kind::Arrow && (sketch.isInBox() || sketch.points.size() < 2)) {
+        return {"sketch", "an arrow goes along a free-form line or a polyline of at least two points"};
+    }
+    if (kind == Kind::Text && sketch.points.empty()) {
+        return {"sketch", "letters need a place to stand"};
+    }
+    if (const std::string character = marking::unwritable(text); !character.empty()) {
+        return {"text",
+                fmt::format("a pen does not write \"{}\": it writes A to Z, umlauts, digits and + - x = / "
+                            ". , : ? ! * < > ( )",
+                            character)};
     }
     return {};
 }

@@ -4,6 +4,7 @@
 #include "studio/operations/correcting.h"
 #include "studio/operations/filming.h"
 #include "studio/operations/housekeeping.h"
+#include "studio/operations/marking.h"
 #include "studio/operations/measuring.h"
 #include "studio/operations/sculpting.h"
 #include "studio/operations/segmenting.h"
@@ -27,7 +28,7 @@ struct JoinedVariants<std::variant<A...>, std::variant<B...>, More...>
 // all make these, and nothing else changes a document. doc/contributing.md says how to add one.
 using Operation = JoinedVariants<std::variant<SetView>, SculptingOperations, SweepingOperations,
                                  SegmentingOperations, MeasuringOperations, CorrectingOperations,
-                                 HousekeepingOperations, FilmingOperations>::Type;
+                                 HousekeepingOperations, FilmingOperations, MarkingOperations>::Type;
 
 // What an operation is called, what it does, and its icon.
 const About& about(const Operation& operation);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "field/marks/marks.h"
 #include "sculpt/sculpture/sculpture_delta.h"
 #include "studio/operations/operation.h"
 #include "studio/operations/segment_list.h"
@@ -34,6 +35,9 @@ struct Edit {
     // The measurements before and after, where the operation changed them.
     Measurements measurementsBefore = {};
     Measurements measurementsAfter = {};
+    // The marks before and after, where the operation changed them; both share what they have in common.
+    field::SharedMarks marksBefore = {};
+    field::SharedMarks marksAfter = {};
     // What it changed of what was trimmed (sculpt::Trimmed); it stays in memory.
     std::optional<sculpt::BrickDelta> trim = {};
     bool isLimited = false; // the cut spared segments, or took nothing else

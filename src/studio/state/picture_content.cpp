@@ -47,7 +47,13 @@ std::optional<Box3> changedBetween(const PictureContent& before, const PictureCo
     if (!segments) {
         return std::nullopt;
     }
-    const Box3 box = unite(*segments, sculpture.changedSince(before.sculptureVersion));
+    const bool marksMoved =
+        !before.marks->isEmpty() && !now.marks->isEmpty() && !(before.marks->grid() == now.marks->grid());
+    if (marksMoved) {
+        return std::nullopt;
+    }
+    const Box3 marked = field::changedBetween(*before.marks, *now.marks);
+    const Box3 box = unite(unite(*segments, marked), sculpture.changedSince(before.sculptureVersion));
     return box.isEmpty() ? box : intersect(grow(box, kReach), {glm::ivec3(0), sculpture.dims()});
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "field/marks/marks.h"
 #include "render/colours/segment_colours.h"
 #include "sculpt/sculpture/sculpture.h"
 #include "segment/membership/segmentation.h"
@@ -33,6 +34,7 @@ struct PictureContent {
     bool showsUncut = false; // in a view of what was cut, because nothing was
     bool isCutAlongSegments = false;
     Segments segments;
+    field::SharedMarks marks = std::make_shared<const field::Marks>();
     // All is drawn where it lies, and throws no shadow: a change shows along the rays through it and nowhere
     // else.
     bool isLocal = false;

@@ -62,12 +62,13 @@ constexpr itk::IOComponentEnum componentOf() {
 }
 
 void writeWith(itk::ImageIOBase& io, const std::filesystem::path& file, const GridGeometry& geometry,
-               itk::IOComponentEnum component, const void* values) {
+               itk::IOComponentEnum component, const void* values,
+               itk::IOPixelEnum pixel = itk::IOPixelEnum::SCALAR, unsigned components = 1) {
     const QuietLibraries quiet;
     io.SetFileName(file.string());
     io.SetNumberOfDimensions(3);
-    io.SetPixelType(itk::IOPixelEnum::SCALAR);
-    io.SetNumberOfComponents(1);
+    io.SetPixelType(pixel);
+    io.SetNumberOfComponents(components);
     io.SetComponentType(component);
     const auto spacing = geometry.spacing();
     itk::ImageIORegion region(3);
@@ -204,6 +205,39 @@ void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
 void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
                std::span<const float> values) {
     writeTyped(path, geometry, values);
+}
+
+void writeColours(const std::filesystem::path& path, const GridGeometry& geometry,
+                  std::span<const std::array<std::uint8_t, 4>> colours) {
+    if (formatOf(path) != WrittenFormat::Nrrd) {
+        fail(path, "colours of voxels are written as NRRD", "write .nrrd");
+    }
+    writeAtomically(path, [&](const std::filesystem::path& temporary) {
+        try {
+            const auto io = itk::NrrdImageIO::New();
+            writeWith(*io, temporary, geometry, itk::IOComponentEnum::UCHAR, colours.data(),
+                      itk::IOPixelEnum::RGBA, 4);
+            const QuietLibraries quiet; // ITK does not report a full disk
+            std::vector<std::array<std::uint8_t, 4>> written(colours.size());
+            const auto reader = itk::NrrdImageIO::New();
+            reader->SetFileName(temporary.string());
+            reader->ReadImageInformation();
+            itk::ImageIORegion region(3);
+            for (unsigned axis = 0; axis < 3; ++axis) {
+                region.SetSize(axis, reader->GetDimensions(axis));
+            }
+            reader->SetIORegion(region);
+            if (std::size_t(reader->GetImageSizeInBytes()) != colours.size() * 4) {
+                throw std::runtime_error("not all of it could be written");
+            }
+            reader->Read(written.data());
+            if (!std::equal(written.begin(), written.end(), colours.begin(), colours.end())) {
+                throw std::runtime_error("what was written is not what was given");
+            }
+        } catch (const std::exception& failure) {
+            throw std::runtime_error(shortReason(failure));
+        }
+    });
 }
 
 void writeVolume(const std::filesystem::path& path, const Volume& volume) {

@@ -3,6 +3,7 @@
 
 #include "volume/grid/volume.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -23,6 +24,9 @@ void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
                std::span<const std::uint32_t> values);
 void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
                std::span<const float> values);
+// Writes a grid of colours (sRGB) with opacity as NRRD, in the same way.
+void writeColours(const std::filesystem::path& path, const GridGeometry& geometry,
+                  std::span<const std::array<std::uint8_t, 4>> colours);
 // Writes a volume's values in their own type.
 void writeVolume(const std::filesystem::path& path, const Volume& volume);
 

@@ -143,10 +143,17 @@ Operations files(const std::filesystem::path& labelMap) {
 Operations measuring() {
     CorrectGeometry correct;
     correct.spacing = glm::dvec3(1, 1.5, 2);
+    Mark mark;
+    mark.kind = Mark::Kind::Area;
+    mark.sketch = {Shape::Ellipse, {{180, 100}, {220, 140}}};
+    mark.canvas = test::testCanvas();
     return {Measure{Measure::Kind::Distance, {{10, 20, 30}, {10.5, 20, 34}}},
             Measure{Measure::Kind::Angle, {{10, 20, 30}, {14, 20, 34}, {20, 22, 30}}},
             Measure{Measure::Kind::Cut, {}},
             RemoveMeasurement{0},
+            mark,
+            SaveMarks{"marks.nrrd"},
+            RemoveMarks{},
             Note{"here"},
             correct};
 }

@@ -33,6 +33,31 @@ Drill someDrill() {
     return drill;
 }
 
+Mark someMark() {
+    Mark mark;
+    mark.sketch = {Shape::FreeForm, {{1, 2}, {3, 4}, {5.5, 6.5}}};
+    mark.pressures = {0.25, 1, 0.5};
+    mark.pressureSets = Mark::Pressure::Opacity;
+    mark.colour = {0.5, 0.25, 1};
+    mark.opacity = 0.75;
+    mark.widthMm = 3.5;
+    mark.softMm = 0.5;
+    mark.dashMm = 6;
+    mark.depthMm = 1.5;
+    mark.erases = true;
+    mark.canvas = someCanvas();
+    return mark;
+}
+
+Mark someText() {
+    Mark text;
+    text.kind = Mark::Kind::Text;
+    text.sketch = {Shape::FreeForm, {{1, 2}}};
+    text.text = "L5";
+    text.sizeMm = 8;
+    return text;
+}
+
 Laser someLaser() {
     Laser laser;
     laser.mask = {Shape::Circle, {{1, 2}, {3, 4}}};
@@ -158,6 +183,10 @@ TEST(OperationJson, EveryKindComesBackAsItWas) {
         Measure{Measure::Kind::Path, {{1, 2.5, 3}, {4, 5, 6}, {7, 8, 9}, {0, 0, 0}}, {}},
         Measure{Measure::Kind::Area, {{1, 2.5, 3}, {4, 5, 3}, {7, 8, 3}}, {}},
         Measure{Measure::Kind::Cut, {}, 12.5},
+        someMark(),
+        someText(),
+        RemoveMarks{},
+        SaveMarks{"marks.nrrd"},
         RemoveMeasurement{3},
         RemoveMeasurement{},
         SavePicture{"a/b.png", {320, 200}, 2},

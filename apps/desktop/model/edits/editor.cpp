@@ -8,6 +8,7 @@
 #include "model/hand/tool.h"
 #include "model/texts/library_texts.h"
 #include "studio/document/document_facts.h"
+#include "studio/document/live_mark.h"
 #include "studio/document/live_stroke.h"
 #include "studio/document/part_queries.h"
 
@@ -75,9 +76,25 @@ bool Editor::beginStroke(const std::function<void(studio::Document&, const studi
     return host_.workLong([&] { begin(*host_.document(), on); });
 }
 
+bool Editor::endMark(bool keep) {
+    bool isDone = false;
+    if (keep) {
+        isDone = perform([&] { return host_.document()->mark().commit(); });
+    } else if (host_.workLong([&] { host_.document()->mark().discard(); })) {
+        isDone = true;
+        host_.say(tr("Nothing was changed"));
+    }
+    host_.wake();
+    emit host_.changed();
+    return isDone;
+}
+
 bool Editor::endStroke(bool keep) {
     if (host_.geometry() == nullptr || !host_.facts()->isStrokeOpen()) {
         return false;
+    }
+    if (host_.facts()->isMarkOpen()) {
+        return endMark(keep);
     }
     if (keep && hand_.tool().actsOnSegment()) {
         const studio::Operation stroke = host_.document()->stroke().operation(); // it has shown what it takes

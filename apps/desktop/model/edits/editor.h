@@ -57,6 +57,7 @@ signals:
     void pulledOut(const std::string& segment); // a segment that is to be moved now
 
 private:
+    bool endMark(bool keep);
     void report(const studio::Outcome& outcome);
     // What a person can see at present: what remains, pasted parts and segments that are pulled out.
     [[nodiscard]] FreeRoom roomBesideAll();

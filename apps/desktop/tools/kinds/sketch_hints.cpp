@@ -40,6 +40,13 @@ EndWords wordsOf(SketchEnd end) {
     case SketchEnd::Seed:
         return {tr("Let go to place the seeds."), tr("Enter or a double click places the seeds."),
                 tr("Click the first corner to close the line and place the seeds.")};
+    case SketchEnd::Mark:
+        return {tr("Let go to mark it."), tr("Enter or a double click marks it."),
+                tr("Click the first corner to close the line and mark it.")};
+    case SketchEnd::MarkArea:
+        return {tr("Let go to colour it."),
+                tr("Enter, a double click or a click on the first corner colours it."),
+                tr("Click the first corner to colour it.")};
     case SketchEnd::Absorb:
         break;
     }

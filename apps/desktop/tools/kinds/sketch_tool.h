@@ -30,6 +30,8 @@ protected:
     // The sketch has ended, and is of use. One that is of none is cleared instead.
     virtual void takeSketch() = 0;
 
+    // What the next sketch takes to be of use.
+    void setNeeds(SketchPad::Needs needs) { needs_ = needs; }
     // The sketch in hand, or the last one.
     [[nodiscard]] const SketchPad& pad() const { return pad_; }
     // The sketch as an operation has it.

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/marks/marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace vs::field {
+
+MarkGrid markGridOf(const volume::GridGeometry& geometry) {
+    constexpr int mostTexels = 1280; // along an axis that has steps for voxels
+    const glm::dvec3 spacing = geometry.spacing();
+    const double step = geometry.stepMm();
+    const glm::dvec3 steps = glm::dvec3(geometry.dims) * spacing / step;
+    const double longest = std::max({steps.x, steps.y, steps.z});
+    const double perStep = 2 * longest <= mostTexels ? 2 : 1;
+    constexpr double mostPerVoxel = 32;
+    const glm::dvec3 perVoxel = glm::clamp(glm::round(spacing / step * perStep), 1.0, mostPerVoxel);
+    return {geometry.dims, glm::ivec3(perVoxel), step / perStep};
+}
+
+bool MarkBrick::isEmpty() const {
+    return std::all_of(coverage.begin(), coverage.end(), [](std::uint8_t covered) { return covered == 0; });
+}
+
+const MarkBrick* Marks::find(std::uint32_t place) const {
+    const auto found = std::lower_bound(bricks_.begin(), bricks_.end(), place,
+                                        [](const Entry& entry, std::uint32_t p) { return entry.first < p; });
+    return found != bricks_.end() && found->first == place ? found->second.get() : nullptr;
+}
+
+Marks Marks::with(std::vector<Entry> changed) const {
+    std::vector<Entry> all;
+    all.reserve(bricks_.size() + changed.size());
+    auto old = bricks_.begin();
+    for (Entry& entry : changed) {
+        const auto next =
+            std::find_if(old, bricks_.end(), [&](const Entry& other) { return other.first >= entry.first; });
+        all.insert(all.end(), old, next);
+        old = next != bricks_.end() && next->first == entry.first ? next + 1 : next;
+        if (entry.second && !entry.second->isEmpty()) {
+            all.push_back(std::move(entry));
+        }
+    }
+    all.insert(all.end(), old, bricks_.end());
+    return {grid_, std::move(all)};
+}
+
+MarkTexel Marks::texelAt(glm::ivec3 texel) const {
+    if (isEmpty() || glm::any(glm::lessThan(texel, glm::ivec3(0))) ||
+        glm::any(glm::greaterThanEqual(texel, grid_.texels()))) {
+        return {};
+    }
+    const MarkBrick* brick = find(grid_.placeOf(texel / kMarkBrick));
+    return brick != nullptr ? brick->at(MarkBrick::index(texel % kMarkBrick)) : MarkTexel();
+}
+
+glm::dvec4 Marks::colourAt(const glm::dvec3& voxel) const {
+    if (isEmpty()) {
+        return glm::dvec4(0);
+    }
+    const glm::dvec3 q = grid_.texelFromVoxel(voxel);
+    const glm::ivec3 first(glm::floor(q));
+    const glm::dvec3 part = q - glm::dvec3(first);
+    double covered = 0;
+    glm::dvec4 sum(0);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 offset(corner & 1, (corner >> 1) & 1, corner >> 2);
+        const glm::dvec3 w = glm::mix(1.0 - part, part, glm::dvec3(offset));
+        const MarkTexel texel = texelAt(first + offset);
+        const double weight = w.x * w.y * w.z * texel.coverage / 255.0;
+        sum += weight / 255 * glm::dvec4(texel.red, texel.green, texel.blue, texel.opacity);
+        covered += weight;
+    }
+    const double inside = std::clamp((covered - 0.5) * kMarkRamp + 0.5, 0.0, 1.0);
+    return covered > 0 ? glm::dvec4(glm::dvec3(sum) / covered, sum.w / covered * inside) : glm::dvec4(0);
+}
+
+bool Marks::operator==(const Marks& other) const {
+    return (isEmpty() && other.isEmpty()) ||
+           (grid_ == other.grid_ && std::equal(bricks_.begin(), bricks_.end(), other.bricks_.begin(),
+                                               other.bricks_.end(), [](const Entry& one, const Entry& two) {
+                                                   return one.first == two.first &&
+                                                          (one.second == two.second ||
+                                                           *one.second == *two.second);
+                                               }));
+}
+
+std::vector<std::array<std::uint8_t, 4>> coloursOfVoxels(const Marks& marks) {
+    const MarkGrid& grid = marks.grid();
+    const glm::ivec3 n = grid.dims;
+    std::vector<std::array<std::uint8_t, 4>> colours(std::size_t(n.x) * std::size_t(n.y) * std::size_t(n.z));
+    const double perVoxel = double(grid.perVoxel.x) * grid.perVoxel.y * grid.perVoxel.z;
+    std::map<std::size_t, glm::dvec4> sums; // of voxels with marks: colours by their opacity, and that
+    for (const auto& [place, brick] : marks.bricks()) {
+        const glm::ivec3 first = grid.brickAt(place) * kMarkBrick;
+        forEachVoxel({glm::ivec3(0), glm::ivec3(kMarkBrick)}, [&](glm::ivec3 t, std::size_t i) {
+            const MarkTexel texel = brick->at(i);
+            const glm::ivec3 voxel = (first + t) / grid.perVoxel;
+            const double inside = std::clamp((texel.coverage / 255.0 - 0.5) * kMarkRamp + 0.5, 0.0, 1.0);
+            if (inside > 0 && glm::all(glm::lessThan(voxel, n))) {
+                const std::size_t at =
+                    (std::size_t(voxel.z) * std::size_t(n.y) + std::size_t(voxel.y)) * std::size_t(n.x) +
+                    std::size_t(voxel.x);
+                const double opacity = inside * texel.opacity;
+                sums[at] += opacity * glm::dvec4(texel.red, texel.green, texel.blue, 1);
+            }
+        });
+    }
+    for (const auto& [at, sum] : sums) {
+        const glm::dvec3 mean = glm::dvec3(sum) / std::max(sum.w, 1e-9);
+        colours[at] = {std::uint8_t(std::lround(mean.x)), std::uint8_t(std::lround(mean.y)),
+                       std::uint8_t(std::lround(mean.z)), std::uint8_t(std::lround(sum.w / perVoxel))};
+    }
+    return colours;
+}
+
+std::vector<std::uint32_t> changedBricks(const Marks& before, const Marks& now) {
+    std::vector<std::uint32_t> places;
+    auto a = before.bricks().begin();
+    auto b = now.bricks().begin();
+    while (a != before.bricks().end() || b != now.bricks().end()) {
+        const bool isOnlyBefore =
+            b == now.bricks().end() || (a != before.bricks().end() && a->first < b->first);
+        const bool isOnlyNow = a == before.bricks().end() || (b != now.bricks().end() && b->first < a->first);
+        if (isOnlyBefore || isOnlyNow || a->second != b->second) {
+            places.push_back(isOnlyNow ? b->first : a->first);
+        }
+        a += isOnlyNow ? 0 : 1;
+        b += isOnlyBefore ? 0 : 1;
+    }
+    return places;
+}
+
+Box3 changedBetween(const Marks& before, const Marks& now) {
+    const MarkGrid& grid = now.isEmpty() ? before.grid() : now.grid();
+    Box3 all;
+    for (const std::uint32_t place : changedBricks(before, now)) {
+        const glm::ivec3 texel = grid.brickAt(place) * kMarkBrick;
+        // A texel more on either side, where what lies between two is interpolated.
+        const Box3 box{(texel - 1) / grid.perVoxel - 1, (texel + kMarkBrick + 1) / grid.perVoxel + 2};
+        all = all.isEmpty() ? box : unite(all, box);
+    }
+    return all.isEmpty() ? all : intersect(all, {glm::ivec3(0), grid.dims});
+}
+
+} // namespace vs::field

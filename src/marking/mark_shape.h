@@ -24,7 +24,8 @@ struct OnLine {
     double insideMm = -1e30;
     double opacity = 1;
 };
-// Of a line through these points, whose width and opacity change evenly from one to the next.
+// What a line comes to there that goes through these points, whose width and opacity change evenly from one
+// to the next.
 OnLine onLine(std::span<const PathPoint> path, const glm::dvec3& world);
 
 // How far places of a picture lie inside closed outlines (filled by the even-odd rule), near these; in

@@ -29,8 +29,8 @@ public:
     void lookUnder(glm::ivec2 lo, glm::ivec2 hi, const PickSurface& pick);
     // Null: nothing is there, or nobody has looked.
     [[nodiscard]] const ReliefPoint* at(glm::ivec2 pixel) const;
-    // Of the four pixels whose centres lie around a place, the point whose plane is nearest to a point in
-    // world space. Null: there is none.
+    // The point whose plane is nearest to a place in world space, among those of the four pixels whose
+    // centres lie around one in the picture. Null: there is none.
     [[nodiscard]] const ReliefPoint* nearest(glm::dvec2 pixel, const glm::dvec3& world) const;
 
 private:

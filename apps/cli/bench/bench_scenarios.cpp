@@ -6,6 +6,7 @@
 #include "render/space/macrocells.h"
 #include "studio/document/document_facts.h"
 #include "studio/document/live_growth.h"
+#include "studio/document/live_mark.h"
 #include "studio/document/live_stroke.h"
 #include "studio/document/surface_queries.h"
 
@@ -92,6 +93,58 @@ void benchPeel(const BenchSettings& settings, studio::Document& document, glm::d
     document.stroke().discard();
 }
 
+void benchMark(const BenchSettings& settings, studio::Document& document, glm::dvec2 place,
+               std::vector<Measurement>& results) {
+    const Work stamps{
+        .run =
+            [&](int run) {
+                document.mark().drawAt({place + glm::dvec2(kStampWay * run, 0), 1.0});
+            },
+        .prepare =
+            [&](int run) {
+                if (run == 0) {
+                    if (document.facts()->isMarkOpen()) {
+                        document.mark().discard();
+                    }
+                    studio::Mark line;
+                    line.widthMm = 4;
+                    line.canvas = studio::Canvas{document.view(), settings.size};
+                    document.mark().begin(line);
+                }
+            },
+    };
+    results.push_back(measure("edit", "mark stamp", settings.frames, stamps));
+    document.mark().discard();
+}
+
+// The same frame without and with marks: lines across all of the picture, and an area in its middle.
+void benchMarkedFrame(const BenchSettings& settings, studio::Document& document, glm::dvec2 place,
+                      std::vector<Measurement>& results) {
+    render::RayCaster caster;
+    const Work frame{.run = [&](int) {
+        caster.render(document.frame(settings.size));
+        caster.picture();
+    }};
+    results.push_back(measure("edit", "frame", settings.frames, frame));
+    const glm::dvec2 size(settings.size);
+    studio::Mark mark;
+    mark.widthMm = 4;
+    constexpr int lines = 6;
+    for (int i = 0; i < lines; ++i) {
+        const double y = size.y * (i + 0.5) / lines;
+        mark.sketch = {studio::Shape::Polyline, {{0, y}, {size.x, y}}};
+        mark.canvas = studio::Canvas{document.view(), settings.size};
+        document.apply(mark);
+    }
+    mark.kind = studio::Mark::Kind::Area;
+    mark.sketch = circle(place, size.y / 6);
+    document.apply(mark);
+    results.push_back(measure("edit", "frame with marks", settings.frames, frame));
+    while (!document.marks()->isEmpty()) {
+        document.apply(studio::Undo{});
+    }
+}
+
 } // namespace
 
 studio::Sketch circle(glm::dvec2 centre, double radius) {
@@ -175,6 +228,8 @@ bool benchEdits(const BenchSettings& settings, studio::Document& document,
     }
     benchDrill(settings, document, *place, results);
     benchPeel(settings, document, *place, results);
+    benchMark(settings, document, *place, results);
+    benchMarkedFrame(settings, document, *place, results);
     const Work growth{
         .run = [&](int) { grow(document); },
         .prepare = [&](int) { seed(document, settings.size, *place); },

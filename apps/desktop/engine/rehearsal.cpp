@@ -7,6 +7,7 @@
 #include "phantom/phantom.h"
 #include "render/slices/slice_renderer.h"
 #include "studio/document/live_growth.h"
+#include "studio/document/live_mark.h"
 #include "studio/document/live_stroke.h"
 
 #include <fmt/format.h>
@@ -83,6 +84,7 @@ Rehearsal::Rehearsal(const ScanKind& kind)
     pictures_.setDocument(&document_);
     planStrokes();
     planGrowth();
+    planMarks();
     planCutsAndParts();
     planSegments();
     planModes();
@@ -148,6 +150,23 @@ void Rehearsal::addSeed() {
     });
 }
 
+// A line on the surface, and segments beside it.
+void Rehearsal::planMarks() {
+    addView([](View& view) { view.mode = render::Mode::Surface; });
+    add([this] {
+        Mark line;
+        line.canvas = canvas();
+        document_.mark().begin(line);
+        document_.mark().drawAt({kMiddle, 1});
+        showDraft();
+        document_.mark().drawAt({kMiddle + glm::dvec2(15, 8), 1});
+        document_.mark().commit();
+        showFull();
+    });
+    addView([](View& view) { view.mode = render::Mode::Segment; });
+    addOperation(Undo{});
+}
+
 void Rehearsal::planCutsAndParts() {
     addView([](View& view) { view.mode = render::Mode::Surface; });
     Scissors scissors{circleAt(kMiddle + glm::dvec2(60, 0), 30)};
@@ -200,6 +219,7 @@ void Rehearsal::planModes() {
     add([this] { showSlice(); });
     addOperation(UnCut{});
     addOperation(ReSeed{});
+    planMarks(); // on what is whole
     for (const render::Mode mode : render::kModes) {
         addView([mode](View& view) { view.mode = mode; });
     }

@@ -46,6 +46,7 @@ private:
 
     void planStrokes();
     void planGrowth();
+    void planMarks();
     void planCutsAndParts();
     void planSegments();
     void planModes();

@@ -11,7 +11,7 @@
 namespace vs::desktop {
 
 MarkTool::MarkTool(StudioController& studio) : SketchTool(studio, SketchPad::Needs::Line) {
-    mark_.text = "R";
+    mark_.text = std::string("R");
 }
 
 bool MarkTool::isLive() const {

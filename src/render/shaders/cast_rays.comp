@@ -9,12 +9,12 @@
 // a branch. PULLED: of the scene only one segment is seen, and in MIP and X-ray the data in it; APART: see
 // scene.glsl. BRICKS: the data is that of a finer level, of which bricks may be missing: a ray that met such
 // a place adds nothing, and is cast again when the brick has come. FINER: and its voxels are smaller than the
-// scene's. MARKS:
-// somebody has laid colours on the material (marks.glsl). BRICK_RANGES: rays go past what they need not look at by what bricks hold, not only by macrocells.
-// PARTS alone stands outside of all loops: it is a switch because Mesa's software renderer compiles a program
-// anew for other formats of the images that it names, and these would be whatever was bound before. In: the
-// scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of display colours, and
-// of coverage: how much of the background they hide.
+// scene's. MARKS: somebody has laid colours on the material (marks.glsl). BRICK_RANGES: rays go past what
+// they need not look at by what bricks hold, not only by macrocells. PARTS alone stands outside of all loops:
+// it is a switch because Mesa's software renderer compiles a program anew for other formats of the images
+// that it names, and these would be whatever was bound before. In: the scene (field/shaders/scene.glsl), the
+// view (rays.glsl). Out: image 0 (rgba32f) sum of display colours, and of coverage: how much of the
+// background they hide.
 // variants: MODE=0;MODE=0 SCULPTED=1;MODE=1;MODE=2 SCULPTED=1;MODE=3 SCULPTED=1;MODE=4;MODE=3 SCULPTED=1 TRANSLUCENT=1 PARTS=1;MODE=4 TRANSLUCENT=1 LIT=1;MODE=5 TF_KIND=0;MODE=5 SCULPTED=1 TF_KIND=2;MODE=0 TF_KIND=1;MODE=1 TF_KIND=0;MODE=2 TF_KIND=2;MODE=0 TRICUBIC=1;MODE=0 LIT=1;MODE=5 TF_KIND=0 LIT=1 PARTS=1;MODE=3 SCULPTED=1 PARTS=1;MODE=1 PARTS=1;MODE=0 QUADS=1;MODE=4 SCULPTED=1 QUADS=1 SMOOTHED=1;MODE=4 SCULPTED=1 CUT_ALONG_SEGMENTS=1;MODE=0 SCULPTED=1 TRICUBIC=1 SMOOTHED=1 TF_KIND=0;MODE=5 SCULPTED=1 TF_KIND=0 QUADS=1 TRICUBIC=1;MODE=5 SCULPTED=1 TF_KIND=0 SEGMENTS=1 TRANSLUCENT=1 PARTS=1;MODE=5 TF_KIND=2 SEGMENTS=1 LIT=1;MODE=1 SEGMENTS=1;MODE=1 TF_KIND=0 SEGMENTS=1;MODE=2 SCULPTED=1 SEGMENTS=1;MODE=2 TF_KIND=1 SEGMENTS=1;MODE=4 PULLED=1 PARTS=1;MODE=4 PULLED=1 APART=1 SCULPTED=1 PARTS=1;MODE=3 PULLED=1 APART=1 TRANSLUCENT=1 PARTS=1;MODE=1 PULLED=1 APART=1 PARTS=1;MODE=2 PULLED=1 PARTS=1;MODE=5 TF_KIND=2 SEGMENTS=1 PULLED=1 APART=1 PARTS=1;MODE=0 BRICKS=1 BRICK_RANGES=1;MODE=1 BRICKS=1;MODE=2 BRICKS=1 BRICK_RANGES=1 SCULPTED=1;MODE=5 TF_KIND=0 BRICKS=1 BRICK_RANGES=1 TRICUBIC=1;MODE=5 TF_KIND=2 BRICKS=1 BRICK_RANGES=1 FINER=1 LIT=1;MODE=4 BRICKS=1 SCULPTED=1 TRANSLUCENT=1 PARTS=1;MODE=0 BRICKS=1 FINER=1 SCULPTED=1 FINER_CUTS=1;MODE=5 TF_KIND=0 BRICKS=1 FINER=1 SCULPTED=1 FINER_CUTS=1;MODE=4 BRICKS=1 BRICK_RANGES=1 FINER=1 FINER_SEGMENTS=1;MODE=3 BRICKS=1 BRICK_RANGES=1 FINER=1 SCULPTED=1 TRANSLUCENT=1 FINER_CUTS=1 FINER_SEGMENTS=2;MODE=5 TF_KIND=2 SEGMENTS=1 BRICKS=1 FINER=1 FINER_SEGMENTS=1;MODE=2 SEGMENTS=1 BRICKS=1 BRICK_RANGES=1 FINER=1 FINER_SEGMENTS=2;MODE=4 PULLED=1 PARTS=1 BRICKS=1 FINER_SEGMENTS=1 ALL_SEGMENTS=1;MODE=0 MARKS=1;MODE=4 SCULPTED=1 TRANSLUCENT=1 LIT=1 MARKS=1;MODE=3 PULLED=1 APART=1 TRANSLUCENT=1 PARTS=1 MARKS=1;MODE=5 SCULPTED=1 TF_KIND=2 SEGMENTS=1 TRANSLUCENT=1 LIT=1 PARTS=1 MARKS=1 BRICKS=1 BRICK_RANGES=1 FINER=1 FINER_CUTS=1 FINER_SEGMENTS=2;MODE=3 BRICKS=1 BRICK_RANGES=1 FINER=1 SCULPTED=1 TRANSLUCENT=1 FINER_CUTS=1 FINER_SEGMENTS=2 MARKS=1 PARTS=1
 layout(local_size_x = 64) in;
 

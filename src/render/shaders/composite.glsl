@@ -87,10 +87,6 @@ vec3 litInVolume(vec4 colour, Ray ray, vec3 p, bool isCut) {
     surface = isCut ? 1.0 : surface;
     vec3 normal = facing(gradient, -ray.world);
     vec3 albedo = colour.rgb / max(colour.a, 1e-6);
-#ifdef MARKS
-    vec4 mark = markAt(p, kMarkedInVolume);
-    albedo = mix(albedo, mark.rgb, mark.a);
-#endif
 #ifdef LIT
     vec2 reaching = cheapLight(p, normal);
 #else
@@ -155,6 +151,18 @@ void addPiece(inout Walk walk, Ray ray, float numberAfter, float stride, float d
     walk.front = back;
 }
 
+#ifdef MARKS
+// Ink on what has been found: it takes the ink's colour, and hides what is behind as ink does, however
+// transparent it is itself.
+void ink(inout Walk walk, vec4 mark) {
+    const float density = 12.0; // of what is inked, in what it was
+    float opacity = 1.0 - pow(1.0 - walk.found.a, 1.0 + density * mark.a);
+    vec3 colour = mix(walk.found.rgb / walk.found.a, mark.rgb, mark.a);
+    walk.weightedT *= opacity / walk.found.a;
+    walk.found = opacity * vec4(colour, 1.0);
+}
+#endif
+
 // Premultiplied linear colour and opacity of everything along the ray. Samples `dt` steps apart, on the
 // lattice that `jitter` shifts; the grid's box is met exactly, its ends cut pieces short. `depth`: mean t of
 // what is seen.
@@ -199,6 +207,9 @@ vec4 compositeAlong(Ray ray, float dt, float jitter, out float depth) {
             }
         } while (walk.number < stop && walk.found.a == 0.0);
         if (walk.found.a * (1.0 - sum.a) > kUnseen) {
+#ifdef MARKS
+            ink(walk, markAt(at(ray, walk.weightedT / walk.found.a), kMarkedInVolume));
+#endif
             walk.found.rgb = litInVolume(walk.found, ray, at(ray, walk.weightedT / walk.found.a), walk.isCut);
         }
         depth += (1.0 - sum.a) * walk.weightedT;

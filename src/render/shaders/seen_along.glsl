@@ -39,7 +39,8 @@ float greyOf(float value) { return clamp((value - range.z) / max(range.w - range
 #ifdef MARKS
 // How wide a pixel is at t, in steps.
 float pixelSteps(float t) {
-    float across = viewForward.w > 0.5 ? length(mat3(worldFromVoxel) * rightVoxel.xyz) / spacing.w : t * viewport.z;
+    float across =
+        viewForward.w > 0.5 ? length(mat3(worldFromVoxel) * rightVoxel.xyz) / spacing.w : t * viewport.z;
     return 2.0 * across / viewport.x;
 }
 #endif

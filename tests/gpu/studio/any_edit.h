@@ -33,6 +33,7 @@ public:
     [[nodiscard]] Operation edit() const;
     [[nodiscard]] Operation cut() const;         // of the sculpture, or what puts some of it back
     [[nodiscard]] Operation part() const;        // on pasted parts
+    [[nodiscard]] Operation mark() const;        // on the head, or away from it
     [[nodiscard]] Operation segmentWork() const; // on one of three segments
 
 protected:
@@ -65,6 +66,20 @@ inline Operation AnyEdit::cut() const {
     default:
         return studio::toolsAt(x, y)[std::size_t(below(6))];
     }
+}
+
+inline Operation AnyEdit::mark() const {
+    studio::Mark mark;
+    const glm::dvec2 at(150 + 10 * below(11), 90 + 10 * below(12));
+    mark.kind = studio::Mark::Kind(below(4));
+    mark.sketch = {studio::Shape::Polyline, {at, at + glm::dvec2(20, 5 * below(5)), at + glm::dvec2(25, 25)}};
+    mark.colour = {0.1 * below(10), 0.5, 1};
+    mark.opacity = 0.25 * (1 + below(4));
+    mark.softMm = below(3);
+    mark.erases = below(4) == 0;
+    mark.text = mark.kind == studio::Mark::Kind::Text ? "R" : "";
+    mark.canvas = testCanvas();
+    return below(12) == 0 ? Operation(studio::RemoveMarks{}) : Operation(mark);
 }
 
 inline Operation AnyEdit::part() const {
@@ -139,7 +154,9 @@ inline Operation AnyEdit::edit() const {
     case 3:
         return part();
     case 4:
-        return studio::Measure{studio::Measure::Kind::Distance, {{10, 20, 30}, {10.5, 20, 30.0 + below(20)}}};
+        return below(2) == 0 ? mark()
+                             : Operation(studio::Measure{studio::Measure::Kind::Distance,
+                                                         {{10, 20, 30}, {10.5, 20, 30.0 + below(20)}}});
     case 5: {
         studio::CorrectGeometry correct;
         correct.spacing = glm::dvec3(1, 1.5, 1.0 + below(3));

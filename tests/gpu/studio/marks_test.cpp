@@ -7,6 +7,7 @@
 #include "image/compare.h"
 #include "phantom/phantom.h"
 #include "property.h"
+#include "render/rays/picker.h"
 #include "studio/document/document_content.h"
 #include "studio/document/document_facts.h"
 #include "studio/document/document_state.h"
@@ -156,9 +157,9 @@ TEST_F(MarksTest, StayOnTheMaterialWhateverIsDone) {
     EXPECT_FALSE(isMarked(drilled, 185, 120));
     EXPECT_TRUE(isMarked(drilled, 215, 120));
     document.apply(UnCut{});
-    EXPECT_EQ(image::compare(picture(document, skin), before).maxDifference, 0);
+    EXPECT_EQ(image::compare(picture(document, skin), before).max, 0);
     document.showView(brain);
-    EXPECT_EQ(image::compare(picture(document, skin), before).maxDifference, 0);
+    EXPECT_EQ(image::compare(picture(document, skin), before).max, 0);
 }
 
 TEST_F(MarksTest, AreUndoneToTheByteAndRedone) {
@@ -289,7 +290,7 @@ TEST_F(MarksTest, AreSeenInModesWithSurfacesAndOnSlices) {
     document.showView(view);
     document.apply(test::brainSeed());
     Grow grow;
-    grow.toTheEnd = true;
+    grow.generations = 40;
     document.apply(grow);
     document.apply(lineOf({{170, 120}, {230, 120}}, view, 8));
     for (const auto mode : {render::Mode::Surface, render::Mode::Segment, render::Mode::Volume}) {
@@ -298,13 +299,13 @@ TEST_F(MarksTest, AreSeenInModesWithSurfacesAndOnSlices) {
         document.apply(Undo{});
         const image::Image clean = picture(document, view);
         document.apply(Redo{});
-        EXPECT_GT(image::compare(marked, clean).maxDifference, 40) << int(mode);
+        EXPECT_GT(image::compare(marked, clean).max, 40) << int(mode);
     }
     // In overlay mode it is the segments that are marked.
     view.mode = render::Mode::Overlay;
     const image::Image clean = picture(document, view);
     document.apply(lineOf({{170, 130}, {230, 130}}, view, 8));
-    EXPECT_GT(image::compare(picture(document, view), clean).maxDifference, 40);
+    EXPECT_GT(image::compare(picture(document, view), clean).max, 40);
 }
 
 TEST_F(MarksTest, NothingMarkedTakesNoMemory) {

@@ -1234,6 +1234,34 @@
         <source>movie</source>
         <translation>Film</translation>
     </message>
+    <message>
+        <source>nothing was erased: nothing is marked there</source>
+        <translation>nichts wurde gelöscht: Dort ist nichts markiert</translation>
+    </message>
+    <message>
+        <source>nothing was marked: nothing visible lies there</source>
+        <translation>nichts wurde markiert: Dort liegt nichts Sichtbares</translation>
+    </message>
+    <message>
+        <source>erase</source>
+        <translation>löschen</translation>
+    </message>
+    <message>
+        <source>%1 mm wide</source>
+        <translation>%1 mm breit</translation>
+    </message>
+    <message>
+        <source>mark</source>
+        <translation>Markieren</translation>
+    </message>
+    <message>
+        <source>remove marks</source>
+        <translation>Markierungen entfernen</translation>
+    </message>
+    <message>
+        <source>marks</source>
+        <translation>Markierungen schreiben</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop</name>
@@ -2568,6 +2596,162 @@
     <message>
         <source>What they may take on the host, likewise.</source>
         <translation>Was sie im Arbeitsspeicher belegen dürfen, ebenso.</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Markieren</translation>
+    </message>
+    <message>
+        <source>The pen lays its colour on the material (R)</source>
+        <translation>Der Stift legt seine Farbe auf das Material (R)</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>The pen takes marks away (R)</source>
+        <translation>Der Stift nimmt Markierungen weg (R)</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>A line along the shape that is drawn</source>
+        <translation>Eine Linie entlang der gezeichneten Form</translation>
+    </message>
+    <message>
+        <source>What the shape encloses</source>
+        <translation>Was die Form umschließt</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Pfeil</translation>
+    </message>
+    <message>
+        <source>A line with a head at its end</source>
+        <translation>Eine Linie mit einer Spitze am Ende</translation>
+    </message>
+    <message>
+        <source>Letters</source>
+        <translation>Schrift</translation>
+    </message>
+    <message>
+        <source>Letters where one clicks, upright in the picture</source>
+        <translation>Buchstaben, wo man klickt, aufrecht im Bild</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Colour of the pen</source>
+        <translation>Farbe des Stifts</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Opacity of the pen, in percent</source>
+        <translation>Deckkraft des Stifts in Prozent</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>How much of the line is a soft rim, in percent</source>
+        <translation>Wie viel der Linie weicher Rand ist, in Prozent</translation>
+    </message>
+    <message>
+        <source>Soft rim</source>
+        <translation>Weicher Rand</translation>
+    </message>
+    <message>
+        <source>Width of lines on the surface, in mm</source>
+        <translation>Breite der Linien auf der Oberfläche in mm</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Gestrichelt</translation>
+    </message>
+    <message>
+        <source>Dashes three times as long as the line is wide</source>
+        <translation>Striche, dreimal so lang, wie die Linie breit ist</translation>
+    </message>
+    <message>
+        <source>A pen that is pressed less draws thinner lines</source>
+        <translation>Ein schwächer aufgedrückter Stift zeichnet dünnere Linien</translation>
+    </message>
+    <message>
+        <source>A pen that is pressed less draws paler lines</source>
+        <translation>Ein schwächer aufgedrückter Stift zeichnet blassere Linien</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Lines are the same however hard the pen is pressed</source>
+        <translation>Linien sind gleich, wie fest der Stift auch aufgedrückt wird</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Letters that are written</source>
+        <translation>Buchstaben, die geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Height of letters, in mm</source>
+        <translation>Höhe der Buchstaben in mm</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Remove all marks</source>
+        <translation>Alle Markierungen entfernen</translation>
+    </message>
+    <message>
+        <source>Take all marks away</source>
+        <translation>Alle Markierungen wegnehmen</translation>
+    </message>
+    <message>
+        <source>Draw with a marking pen on the surface; the marks stay on the material</source>
+        <translation>Mit einem Markierstift auf die Oberfläche zeichnen; die Markierungen bleiben auf dem Material</translation>
+    </message>
+    <message>
+        <source>Let go to mark it.</source>
+        <translation>Loslassen markiert es.</translation>
+    </message>
+    <message>
+        <source>Enter or a double click marks it.</source>
+        <translation>Enter oder ein Doppelklick markiert es.</translation>
+    </message>
+    <message>
+        <source>Click the first corner to close the line and mark it.</source>
+        <translation>Ein Klick auf die erste Ecke schließt die Linie und markiert sie.</translation>
+    </message>
+    <message>
+        <source>Let go to colour it.</source>
+        <translation>Loslassen färbt es ein.</translation>
+    </message>
+    <message>
+        <source>Enter, a double click or a click on the first corner colours it.</source>
+        <translation>Enter, ein Doppelklick oder ein Klick auf die erste Ecke färbt es ein.</translation>
+    </message>
+    <message>
+        <source>Click the first corner to colour it.</source>
+        <translation>Ein Klick auf die erste Ecke färbt es ein.</translation>
     </message>
 </context>
 <context>
@@ -5391,6 +5575,45 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>Reading bricks: %1</source>
         <translation>Blöcke lesen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::MarkTool</name>
+    <message>
+        <source>Erasing: let go to keep, Esc to undo.</source>
+        <translation>Löschen: Loslassen behält es, Esc nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>Marking: press harder for more. Let go to keep, Esc to undo.</source>
+        <translation>Markieren: fester drücken für mehr. Loslassen behält es, Esc nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>Click where the letters should be wiped off.</source>
+        <translation>Klicken, wo die Buchstaben weggewischt werden sollen.</translation>
+    </message>
+    <message>
+        <source>Click where the letters should stand; they are written upright.</source>
+        <translation>Klicken, wo die Buchstaben stehen sollen; sie werden aufrecht geschrieben.</translation>
+    </message>
+    <message>
+        <source>Draw over the marks that should go.</source>
+        <translation>Über die Markierungen zeichnen, die weg sollen.</translation>
+    </message>
+    <message>
+        <source>Draw around what should be coloured.</source>
+        <translation>Um das zeichnen, was eingefärbt werden soll.</translation>
+    </message>
+    <message>
+        <source>Draw an arrow, its head at the end.</source>
+        <translation>Einen Pfeil zeichnen, die Spitze am Ende.</translation>
+    </message>
+    <message>
+        <source>Draw on the surface: the marks stay on the material.</source>
+        <translation>Auf die Oberfläche zeichnen: Die Markierungen bleiben auf dem Material.</translation>
+    </message>
+    <message>
+        <source>Type the letters first, on the tool&apos;s page.</source>
+        <translation>Zuerst die Buchstaben eingeben, auf der Seite des Werkzeugs.</translation>
     </message>
 </context>
 <context>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "field/field.h"
-#include "field/marks/mark_buffer.h"
+#include "field/marks/mark_texture.h"
 #include "gl/block_layout.h"
 #include "gl/buffer.h"
 
@@ -63,7 +63,7 @@ struct Scene {
     // known, and not needed where one segment is all there is.
     const gl::Texture* apartTiles = nullptr; // R8, linear
     const gl::Texture* apartPages = nullptr; // R32UI, a texel for each tile
-    const MarkBuffer* marks = nullptr;       // colours laid on the material; null: none
+    const MarkTexture* marks = nullptr;      // colours laid on the material; null: none
     Range displayedRange;
     // Values above the displayed range are visible too, and count as its upper end (MIP, X-ray).
     bool showsAbove = false;
@@ -77,7 +77,7 @@ struct Scene {
 
 // Binds a scene: uniform block 0, textures 0 (data), 1 (sculpture), 2 (segmentation), 13 (labels), 6 (the
 // data's quads, where it has them), 15 and 12 (the same of smoothed values), 7 and 15 (a segment alone);
-// storage block 7 (marks, where there are any: MARKS, marks.glsl).
+// texture 16 and uniform block 5 (marks, where there are any: MARKS, marks.glsl).
 // Shaders include "field/shaders/scene.glsl" and call sampleScene(); with QUADS defined they sample the
 // quads. Those units and uniform block 0 are taken while it is bound.
 class SceneBinding {

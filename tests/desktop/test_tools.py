@@ -74,6 +74,45 @@ def narrow(studio):
 
 
 @test.step
+def mark(studio):
+    """A line that is seen while it is drawn, letters, an area; an eraser; each one operation, undone and done again."""
+    choose(studio, "j", "mark")
+    done = Done(studio)
+    studio.drag(line(studio, (0.4, 0.35), (0.6, 0.35), 12))
+    done.wait("Mark")
+    studio.click("markText")
+    studio.wait("letters", lambda s: s["hint"].startswith("Click where the letters"))
+    done = Done(studio)
+    studio.click(studio.view_point(0.5, 0.45))
+    done.wait("Mark")
+    studio.click("markArea")
+    done = Done(studio)
+    studio.drag(ellipse(studio, (0.45, 0.55), (0.05, 0.04)))
+    done.wait("Mark")
+    undo(studio)
+    redo(studio)
+    studio.click("markLine")
+    studio.key("r")
+    studio.wait("the eraser", lambda s: s["hint"].startswith("Draw over the marks"))
+    done = Done(studio)
+    studio.drag(line(studio, (0.5, 0.3), (0.5, 0.4), 6))
+    done.wait("Mark")
+    studio.key("r")
+    # Beside the head there is nothing to mark, and no operation.
+    before = studio.state()["operations"]
+    studio.drag(line(studio, (0.02, 0.95), (0.04, 0.97), 3))
+    state = studio.wait_idle("nothing marked", lambda s: "nothing was marked" in s["message"])
+    need(state["operations"] == before, "a mark on nothing is an operation")
+    studio.move(studio.view_point(0.5, 0.4))
+    studio.xdotool("mousedown", 1)
+    studio.wait("the mark in hand", lambda s: s["hint"].startswith("Marking"))
+    studio.key("Escape")
+    studio.xdotool("mouseup", 1)
+    state = studio.wait_idle("dropped", lambda s: "othing was changed" in s["message"])
+    need(state["operations"] == before, "a mark that was dropped is an operation")
+
+
+@test.step
 def laser(studio):
     choose(studio, "b", "laser")
     studio.drag(ellipse(studio, (0.42, 0.4), (0.03, 0.04)))

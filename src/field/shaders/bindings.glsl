@@ -20,6 +20,7 @@ const int kSegmentLabelsTexture = 13;
 const int kApartPagesTexture = 15; // of a segment, whose surfaces are not looked for in smoothed values
 const int kBrickCutsTexture = 15;  // not where a segment is drawn apart from others
 const int kSmoothedTexture = 15;
+const int kMarksTexture = 16;
 
 // Image units.
 const int kCellsImage = 0;
@@ -29,8 +30,8 @@ const int kTargetImage = 0;
 // Storage blocks.
 const int kCountsStorage = 0;
 const int kBrickUsesStorage = 6;
-const int kMarksOfMaterialStorage = 7;
 
 // Uniform blocks.
 const int kSceneBlock = 0;
 const int kBricksBlock = 4;
+const int kMarksBlock = 5;

@@ -92,6 +92,11 @@ double leastPixelMm(const ViewRays& rays, const volume::GridGeometry& geometry) 
     return least;
 }
 
+glm::dvec2 ViewRays::pixelWidths() const {
+    const double width = 2 * glm::length(right) / size.x;
+    return isOrthographic ? glm::dvec2(width, 0) : glm::dvec2(0, width);
+}
+
 double ViewRays::pixelMm(glm::dvec3 world) const {
     const double perUnit = 2 * glm::length(up) / size.y;
     return isOrthographic ? perUnit : perUnit * std::max(glm::dot(world - eye, forward), 1e-12);

@@ -61,6 +61,8 @@ struct ViewRays {
     [[nodiscard]] Ray through(glm::dvec2 pixel) const;
     // Where a world point appears, in pixels.
     [[nodiscard]] glm::dvec2 project(glm::dvec3 world) const;
+    // Width in mm of one pixel at the eye, and how much more it is for each mm along a ray.
+    [[nodiscard]] glm::dvec2 pixelWidths() const;
     // Width in mm of one pixel at a world point.
     [[nodiscard]] double pixelMm(glm::dvec3 world) const;
 };

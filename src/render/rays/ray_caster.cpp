@@ -258,6 +258,10 @@ void RayCaster::castSquares(const Part& part, int count) {
     if (part.pulled) {
         program.set("pulled", *part.pulled);
     }
+    if (showsMarks(frame_)) {
+        const glm::dvec2 mm = part.rays.pixelWidths();
+        program.set("pixelWidth", glm::vec2(mm.x / frame_.scene.data->geometry.stepMm(), mm.y));
+    }
     program.dispatch(SquareLists::groupsFor(count), gl::Barrier::All);
 }
 

@@ -156,6 +156,8 @@ private:
     };
     // Whether the picture may show surfaces of translucent segments.
     static bool drawsTranslucent(const Frame& frame);
+    // Whether the picture shows surfaces, and there are marks on them.
+    static bool showsMarks(const Frame& frame);
     // The variant that draws what remains and pasted parts, and the one that draws a segment that is pulled
     // out.
     static field::Detail::Layers layersOf(const Frame& frame);

@@ -10,6 +10,10 @@ bool RayCaster::drawsTranslucent(const Frame& frame) {
     return drawsSurfaces && frame.scene.segmentation != nullptr && frame.segmentColours.haveTranslucent();
 }
 
+bool RayCaster::showsMarks(const Frame& frame) {
+    return frame.scene.marks != nullptr && frame.mode != Mode::Mip && frame.mode != Mode::XRay;
+}
+
 namespace {
 
 // Whether segments are shown in a mode that can do without: as surfaces in volume mode, by their colours in
@@ -48,7 +52,7 @@ gl::Defines RayCaster::definesFor(const Frame& frame) {
         {"TRICUBIC", scene.sampling == field::Sampling::Tricubic},
         {"SEGMENTS", addsSegments(frame)},
         {"TRANSLUCENT", drawsTranslucent(frame)},
-        {"MARKS", scene.marks != nullptr && isLit},
+        {"MARKS", showsMarks(frame)},
     });
     if (frame.detail != nullptr) {
         frame.detail->addDefines(layersOf(frame), defines);

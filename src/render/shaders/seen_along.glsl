@@ -37,12 +37,7 @@ vec2 lightAt(Hit hit) {
 float greyOf(float value) { return clamp((value - range.z) / max(range.w - range.z, 1e-20), 0.0, 1.0); }
 
 #ifdef MARKS
-// How wide a pixel is at t, in steps.
-float pixelSteps(float t) {
-    float across =
-        viewForward.w > 0.5 ? length(mat3(worldFromVoxel) * rightVoxel.xyz) / spacing.w : t * viewport.z;
-    return 2.0 * across / viewport.x;
-}
+uniform vec2 pixelWidth; // in steps: at the eye, and how much more for each step of t
 #endif
 
 // The display colour of a hit; `segmentColour` is its segment's, if it has one.
@@ -52,7 +47,7 @@ vec3 shadeHit(Hit hit, Ray ray, vec3 segmentColour) {
     vec2 reaching = lightAt(hit);
     vec3 albedo = hit.isSegment ? segmentColour : surfaceColour(hit, ray);
 #ifdef MARKS
-    vec4 mark = markAt(hit.voxel, pixelSteps(hit.t));
+    vec4 mark = markAt(hit.voxel, pixelWidth.x + pixelWidth.y * hit.t);
     albedo = mix(albedo, mark.rgb, mark.a);
 #endif
     vec3 surface =

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "field/bricks/detail.h"
-#include "field/marks/mark_buffer.h"
+#include "field/marks/mark_texture.h"
 #include "field/smoothed_field.h"
 #include "render/rays/ray_caster.h"
 #include "render/slices/slice_renderer.h"
@@ -102,7 +102,7 @@ private:
     field::CellRanges cellRanges_;
     std::optional<segment::Segmentation> segmentation_; // made when first drawn
     int segmentationsMade_ = 0;
-    field::MarkBuffer marks_;
+    field::MarkTexture marks_;
     PictureContent content_; // of the last frame
     // The same for pasted parts, while they are drawn beside what is left and growth had a fence.
     std::optional<segment::Segmentation> partSegmentation_;

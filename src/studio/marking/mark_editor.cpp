@@ -2,7 +2,7 @@
 #include "studio/marking/mark_editor.h"
 
 #include "base/error.h"
-#include "field/marks/mark_buffer.h"
+#include "field/marks/mark_texture.h"
 
 #include <utility>
 
@@ -60,7 +60,7 @@ Outcome MarkEditor::finish() {
     const field::SharedMarks after = stroke_->marks();
     Outcome outcome;
     try {
-        const std::size_t most = field::MarkBuffer::mostBricks(after->grid());
+        const std::size_t most = field::MarkTexture::mostBricks(after->grid());
         if (!after->isEmpty() && after->bricks().size() > most) {
             throw Error(
                 "this mark would need {} bricks of {} texels, and there is room for {}: mark less, or "

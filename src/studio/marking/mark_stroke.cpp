@@ -51,7 +51,9 @@ marking::Ground MarkStroke::ground() const {
 }
 
 marking::Rim MarkStroke::rim() const {
-    return {operation_.depthMm.value_or(kUsualDepthSteps * cutter_->scene->stepMm()), operation_.softMm};
+    const double depth = operation_.depthMm.value_or(kUsualDepthSteps * cutter_->scene->stepMm());
+    // An eraser reaches what a pen has left at the end of its own depth.
+    return {depth + (operation_.erases ? field::kMarkRamp * layer_.grid().texelMm : 0), operation_.softMm};
 }
 
 marking::Ink MarkStroke::ink() const {
@@ -94,26 +96,31 @@ marking::PathPoint MarkStroke::pathPoint(const glm::dvec3& world, double pressur
 
 // The surface is looked for at each pixel of the way. Where it jumps, as behind an edge, the way ends and
 // begins anew.
-MarkStroke::Paths MarkStroke::pathsBetween(const Place& from, const Place& to) {
+MarkStroke::Paths MarkStroke::pathsAlong(const Line& piece) {
     constexpr double farthestPixels = 8; // from one pixel of the way to the next, on the surface
-    const int count = std::max(int(std::ceil(glm::distance(from.pixel, to.pixel))), 1);
-    std::vector<glm::dvec2> pixels;
-    for (int i = 0; i <= count; ++i) {
-        pixels.push_back(glm::mix(from.pixel, to.pixel, double(i) / count));
+    std::vector<glm::dvec2> pixels{piece.front().pixel};
+    std::vector<double> pressures{piece.front().pressure};
+    for (std::size_t n = 1; n < piece.size(); ++n) {
+        const Place& from = piece[n - 1];
+        const Place& to = piece[n];
+        const int count = std::max(int(std::ceil(glm::distance(from.pixel, to.pixel))), 1);
+        for (int i = 1; i <= count; ++i) {
+            pixels.push_back(glm::mix(from.pixel, to.pixel, double(i) / count));
+            pressures.push_back(glm::mix(from.pressure, to.pressure, double(i) / count));
+        }
     }
     const auto points = pick(pixels);
     Paths paths;
     const marking::ReliefPoint* before = nullptr;
-    for (int i = 0; i <= count; ++i) {
-        const auto& point = points[std::size_t(i)];
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto& point = points[i];
         if (point) {
             const bool goesOn = before != nullptr && glm::distance(before->world, point->world) <
                                                          farthestPixels * rays_.pixelMm(point->world);
             if (!goesOn) {
                 paths.emplace_back();
             }
-            paths.back().push_back(
-                pathPoint(point->world, glm::mix(from.pressure, to.pressure, double(i) / count)));
+            paths.back().push_back(pathPoint(point->world, pressures[i]));
         }
         before = point ? &*point : nullptr;
     }
@@ -198,7 +205,13 @@ void MarkStroke::layPaths(const Paths& paths) {
     marking::lay(layer_, ground(), shape, rim, first, end);
 }
 
-void MarkStroke::goStraight(const Place& from, const Place& to) { layPaths(dashed(pathsBetween(from, to))); }
+void MarkStroke::layPiece(const Line& piece) {
+    const bool isNear = std::any_of(piece.begin(), piece.end(),
+                                    [&](const Place& place) { return contains(picture_, place.pixel); });
+    if (isNear) {
+        layPaths(dashed(pathsAlong(piece)));
+    }
+}
 
 void MarkStroke::goTo(const Place& from, const Place& to) {
     const int pieces = std::max(int(std::ceil(glm::distance(from.pixel, to.pixel) / kPiecePixels)), 1);
@@ -207,21 +220,41 @@ void MarkStroke::goTo(const Place& from, const Place& to) {
         return Place{glm::mix(from.pixel, to.pixel, part), glm::mix(from.pressure, to.pressure, part)};
     };
     for (int i = 0; i < pieces; ++i) {
-        const Place a = placeAt(i);
-        const Place b = placeAt(i + 1);
-        if (contains(picture_, a.pixel) || contains(picture_, b.pixel)) {
-            goStraight(a, b);
-        }
+        layPiece({placeAt(i), placeAt(i + 1)});
     }
 }
 
+// As the pen does it: it is put down, and then goes on.
+void MarkStroke::followPen(const Line& line) {
+    travelledMm_ = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        goTo(line[i == 0 ? 0 : i - 1], line[i]);
+    }
+}
+
+// As a whole: corners that are near one another are laid together.
 void MarkStroke::drawLine(const Line& line) {
     travelledMm_ = 0;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        goTo(line[i], line[i + 1]);
+    Line piece;
+    double length = 0;
+    for (const Place& place : line) {
+        const double way = piece.empty() ? 0 : glm::distance(piece.back().pixel, place.pixel);
+        if (way > kPiecePixels) {
+            layPiece(piece);
+            goTo(piece.back(), place);
+            piece.clear();
+            length = -way;
+        }
+        piece.push_back(place);
+        length += way;
+        if (length > kPiecePixels) {
+            layPiece(piece);
+            piece = {place};
+            length = 0;
+        }
     }
-    if (line.size() == 1) {
-        goTo(line.front(), line.front());
+    if (!piece.empty()) {
+        layPiece(piece);
     }
 }
 
@@ -327,7 +360,7 @@ void MarkStroke::replay() {
         for (std::size_t i = 0; i < points.size(); ++i) {
             line.push_back({points[i], i < operation_.pressures.size() ? operation_.pressures[i] : 1});
         }
-        drawLine(line);
+        sketch.shape == Shape::FreeForm ? followPen(line) : drawLine(line);
         if (operation_.kind == Mark::Kind::Arrow) {
             drawArrow();
         }

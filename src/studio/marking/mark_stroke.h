@@ -44,10 +44,11 @@ private:
 
     [[nodiscard]] std::vector<std::optional<marking::ReliefPoint>>
     pick(const std::vector<glm::dvec2>& pixels);
+    void followPen(const Line& line);
     void drawLine(const Line& line);
     void goTo(const Place& from, const Place& to);
-    void goStraight(const Place& from, const Place& to);
-    [[nodiscard]] Paths pathsBetween(const Place& from, const Place& to);
+    void layPiece(const Line& piece);
+    [[nodiscard]] Paths pathsAlong(const Line& piece);
     [[nodiscard]] Paths dashed(const Paths& paths);
     [[nodiscard]] marking::PathPoint pathPoint(const glm::dvec3& world, double pressure) const;
     void layPaths(const Paths& paths);

@@ -8,6 +8,7 @@
 #include "tools/clip_tool.h"
 #include "tools/drill_tool.h"
 #include "tools/island_tool.h"
+#include "tools/mark_tool.h"
 #include "tools/measure_tool.h"
 #include "tools/move_tool.h"
 #include "tools/peel_tool.h"
@@ -83,6 +84,7 @@ private:
         mouse_.press({0.03, 0.97});
         look("measure: held beside the object");
         mouse_.release({0.03, 0.97});
+        marks();
         choose(tools.get<IslandTool>());
         look("island: empty segment");
         w_.trigger("paintTool");
@@ -91,6 +93,29 @@ private:
         look("paint");
         w_.trigger("only3D");
         w_.settle();
+    }
+
+    void marks() {
+        auto& mark = w_.tools().get<MarkTool>();
+        choose(mark);
+        for (const bool erases : {true, false}) {
+            mark.setReversed(erases);
+            const std::string name = erases ? "mark, erasing" : "mark";
+            mark.setKind(MarkTool::Kind::Text);
+            look(name + ", letters");
+            for (const auto kind : {MarkTool::Kind::Area, MarkTool::Kind::Arrow, MarkTool::Kind::Line}) {
+                mark.setKind(kind);
+                sketch(name + ", kind " + std::to_string(int(kind)), Shape::Circle, "circle");
+                polyline(name + ", kind " + std::to_string(int(kind)));
+                mark.clear();
+            }
+            w_.studio().hand().setShape(Shape::FreeForm);
+            look(name);
+            mouse_.press(kMiddle);
+            look(name + ": held");
+            mark.clear();
+            mouse_.release(kMiddle);
+        }
     }
 
     // Segments: with voxels, locked, and tools that act on one.

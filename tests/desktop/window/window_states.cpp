@@ -60,7 +60,7 @@ void forEachState(StudioWindow& w,
     }
     for (const char* tool :
          {"cameraTool", "peelTool", "drillTool", "laserTool", "sweepTool", "scissorsTool", "clipTool",
-          "keepTool", "seedTool", "islandTool", "paintTool", "measureTool", "moveTool"}) {
+          "keepTool", "seedTool", "islandTool", "paintTool", "measureTool", "moveTool", "markTool"}) {
         w.trigger(tool);
         lookAt(tool);
     }

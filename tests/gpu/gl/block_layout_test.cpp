@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/bricks/detail.h"
+#include "field/marks/mark_texture.h"
 #include "field/scene.h"
 #include "gl/embedded_shaders.h"
 #include "gl/program.h"
@@ -27,6 +28,7 @@ using BlockLayoutTest = test::GlTest;
 const std::map<std::string, const BlockLayout*> kLayouts{
     {"SceneBlock", &field::kSceneBlockLayout},
     {"BricksBlock", &field::kBricksBlockLayout},
+    {"MarksBlock", &field::kMarksBlockLayout},
     {"ViewBlock", &render::kViewBlockLayout},
     {"ClassificationBlock", &render::kClassificationBlockLayout},
     {"OcclusionBlock", &render::kOcclusionBlockLayout},

@@ -27,22 +27,32 @@ constexpr double kRadius = 38; // voxels
 
 class MarksTest : public test::GlTest {
 protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        caster_.emplace();
+        picker_.emplace();
+    }
+    void TearDown() override {
+        caster_.reset();
+        picker_.reset();
+        GlTest::TearDown();
+    }
     image::Image picture(Document& document, const View& view, int samples = 1) {
         document.showView(view);
         render::Frame frame = document.frame(kSize);
         frame.samples = samples;
-        caster_.render(frame);
-        return caster_.readPicture();
+        caster_->render(frame);
+        return caster_->readPicture();
     }
 
     std::vector<field::SurfacePoint> pick(Document& document, const View& view,
                                           std::span<const glm::vec2> pixels) {
         document.showView(view);
-        return picker_.pickPoints(document.frame(kSize), pixels);
+        return picker_->pickPoints(document.frame(kSize), pixels);
     }
 
-    render::RayCaster caster_;
-    render::Picker picker_;
+    std::optional<render::RayCaster> caster_;
+    std::optional<render::Picker> picker_;
 };
 
 volume::Volume ball() { return phantom::makeBall(glm::ivec3(88), glm::dvec3(43.5), kRadius); }
@@ -96,8 +106,8 @@ TEST_F(MarksTest, AreWhereThePenWas) {
             ASSERT_GT(point.voxel.w, 0);
             way.emplace_back(point.voxel);
         }
-        for (const View& view : {drawnOn, viewOf(28, 1, projection), viewOf(5, 4, projection),
-                                 viewOf(-20, 9, projection, {4, 2})}) {
+        for (const View& view :
+             {drawnOn, viewOf(28, 1, projection), viewOf(5, 4, projection), viewOf(2, 9, projection)}) {
             const image::Image marked = picture(document, view);
             std::vector<glm::vec2> pixels;
             for (int i = 0; i < kSize.x * kSize.y; ++i) {

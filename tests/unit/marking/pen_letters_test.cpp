@@ -9,7 +9,7 @@ namespace vs::marking {
 namespace {
 
 TEST(PenLettersTest, StandInALineOneHighAboutTheMiddle) {
-    for (const std::string text : {"R", "HE", "X", "L5/S1"}) {
+    for (const std::string text : {"R", "HE", "X", "L5/S0"}) {
         glm::dvec2 lo(1e9);
         glm::dvec2 hi(-1e9);
         for (const auto& line : penLetters(text)) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "field/marks/marks.h"
+#include "gl/block_layout.h"
 #include "gl/buffer.h"
+#include "gl/texel_buffer.h"
 
 #include <cstdint>
 #include <map>
@@ -10,10 +12,20 @@
 
 namespace vs::field {
 
-// Marks on the device, as field/shaders/marks.glsl reads them: a header, for each brick of the grid a word
-// (where it lies, or 0), then the bricks. A brick has the first texels of the bricks behind it too, so that
-// what lies between its texels and theirs is found in it; and is there where only these have any.
-class MarkBuffer {
+// Where marks lie on the device; mirrors MarksBlock in field/shaders/marks.glsl (std140).
+struct MarksBlock {
+    glm::ivec4 markBricks{0};  // xyz along each axis, w in which word the bricks begin
+    glm::vec4 markPerVoxel{1}; // xyz texels along each axis of a voxel
+};
+inline constexpr gl::BlockMember kMarksBlockMembers[] = {VS_BLOCK_MEMBER(MarksBlock, markBricks),
+                                                         VS_BLOCK_MEMBER(MarksBlock, markPerVoxel)};
+inline constexpr gl::BlockLayout kMarksBlockLayout{"MarksBlock", sizeof(MarksBlock), kMarksBlockMembers};
+static_assert(isWhole(kMarksBlockLayout));
+
+// Marks on the device, as field/shaders/marks.glsl reads them: words, for each brick of the grid one (where
+// it lies, or 0), and then the bricks. A brick has the first texels of the bricks behind it too, so that what
+// lies between its texels and theirs is found in it; and is there where only these have any.
+class MarkTexture {
 public:
     // So many bricks have room on every device: with each may come another, for the texels before it.
     static std::size_t mostBricks(const MarkGrid& grid);
@@ -36,7 +48,8 @@ private:
     std::vector<std::uint32_t> free_;
     std::uint32_t used_ = 0;   // slots, free ones among them
     std::size_t capacity_ = 0; // slots
-    gl::Buffer buffer_;
+    gl::TexelBuffer words_;
+    gl::Buffer block_;
 };
 
 } // namespace vs::field

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "field/marks/mark_buffer.h"
+#include "field/marks/mark_texture.h"
 
 #include "base/error.h"
 #include "field/shaders/bindings.h"
-#include "gl/limits.h"
 
 #include <algorithm>
 #include <array>
@@ -14,17 +13,12 @@ namespace vs::field {
 
 namespace {
 
-// As marks.glsl has it.
-struct Header {
-    glm::ivec4 bricks{0}; // xyz along each axis, w in which word of the rest the bricks begin
-    glm::vec4 perVoxel{1};
-};
+// As marks.glsl has it: a brick's colours, then for each of its cells the coverage of the four corners that
+// have the lesser z, and those of its last texels along z.
 constexpr int kSide = kMarkBrick + 1;
-constexpr std::size_t kTexels = std::size_t(kSide) * kSide * kSide;
-constexpr std::size_t kColourWords = kTexels;
-constexpr std::size_t kCoverageWords = (kTexels + 3) / 4;
-constexpr std::size_t kSlotWords = kColourWords + kCoverageWords;
-constexpr std::size_t kWord = sizeof(std::uint32_t);
+constexpr std::size_t kColourWords = std::size_t(kSide) * kSide * kSide;
+constexpr std::size_t kQuadWords = std::size_t(kMarkBrick) * kMarkBrick * kSide;
+constexpr std::size_t kSlotWords = kColourWords + kQuadWords;
 constexpr std::size_t kFirstSlots = 16;
 
 // A brick and the bricks behind it along the axes, by the bits of their place: 1 x, 2 y, 4 z.
@@ -43,6 +37,7 @@ Around around(const Marks& marks, glm::ivec3 brick) {
 
 std::vector<std::uint32_t> wordsOf(const Around& bricks) {
     std::vector<std::uint32_t> words(kSlotWords);
+    std::vector<std::uint8_t> coverage(kColourWords);
     forEachVoxel({glm::ivec3(0), glm::ivec3(kSide)}, [&](glm::ivec3 t, std::size_t i) {
         const glm::ivec3 beyond = t / kMarkBrick;
         const MarkBrick* brick = bricks[std::size_t(beyond.x + 2 * beyond.y + 4 * beyond.z)];
@@ -51,20 +46,27 @@ std::vector<std::uint32_t> wordsOf(const Around& bricks) {
             const auto& c = brick->colours[from];
             words[i] = std::uint32_t(c[0]) | std::uint32_t(c[1]) << 8 | std::uint32_t(c[2]) << 16 |
                        std::uint32_t(c[3]) << 24;
-            words[kColourWords + i / 4] |= std::uint32_t(brick->coverage[from]) << (8 * (i % 4));
+            coverage[i] = brick->coverage[from];
         }
     });
+    forEachVoxel(
+        {glm::ivec3(0), glm::ivec3(kMarkBrick, kMarkBrick, kSide)}, [&](glm::ivec3 t, std::size_t i) {
+            const std::size_t at = (std::size_t(t.z) * kSide + std::size_t(t.y)) * kSide + std::size_t(t.x);
+            words[kColourWords + i] = std::uint32_t(coverage[at]) | std::uint32_t(coverage[at + 1]) << 8 |
+                                      std::uint32_t(coverage[at + kSide]) << 16 |
+                                      std::uint32_t(coverage[at + kSide + 1]) << 24;
+        });
     return words;
 }
 
-std::size_t bytesBefore(const MarkGrid& grid) {
+std::size_t pagesOf(const MarkGrid& grid) {
     const glm::ivec3 n = grid.bricks();
-    return sizeof(Header) + std::size_t(n.x) * std::size_t(n.y) * std::size_t(n.z) * kWord;
+    return std::size_t(n.x) * std::size_t(n.y) * std::size_t(n.z);
 }
 
 std::size_t mostSlots(const MarkGrid& grid) {
-    const std::size_t most = gl::limits().storageBlockBytes;
-    return most > bytesBefore(grid) ? (most - bytesBefore(grid)) / (kSlotWords * kWord) : 0;
+    const std::size_t most = gl::TexelBuffer::mostTexels();
+    return most > pagesOf(grid) ? (most - pagesOf(grid)) / kSlotWords : 0;
 }
 
 bool haveCoverage(const std::vector<std::uint32_t>& words) {
@@ -74,12 +76,11 @@ bool haveCoverage(const std::vector<std::uint32_t>& words) {
 
 } // namespace
 
-std::size_t MarkBuffer::mostBricks(const MarkGrid& grid) { return mostSlots(grid) / 2; }
+std::size_t MarkTexture::mostBricks(const MarkGrid& grid) { return mostSlots(grid) / 2; }
 
-void MarkBuffer::begin(const MarkGrid& grid) {
-    const glm::ivec3 n = grid.bricks();
+void MarkTexture::begin(const MarkGrid& grid) {
     grid_ = grid;
-    pages_.assign(std::size_t(n.x) * std::size_t(n.y) * std::size_t(n.z), 0);
+    pages_.assign(pagesOf(grid), 0);
     slots_.clear();
     free_.clear();
     used_ = 0;
@@ -87,7 +88,7 @@ void MarkBuffer::begin(const MarkGrid& grid) {
     shown_ = std::make_shared<const Marks>();
 }
 
-void MarkBuffer::makeRoom(std::size_t slots) {
+void MarkTexture::makeRoom(std::size_t slots) {
     if (slots <= capacity_) {
         return;
     }
@@ -98,19 +99,22 @@ void MarkBuffer::makeRoom(std::size_t slots) {
     }
     const std::size_t capacity = std::min(std::max({slots, 2 * capacity_, kFirstSlots}), most);
     begin(grid_); // all of it has to come again
-    buffer_ = gl::Buffer();
-    buffer_ = gl::Buffer(bytesBefore(grid_) + capacity * kSlotWords * kWord, "marks");
-    buffer_.writeValue(
-        Header{glm::ivec4(grid_.bricks(), int(pages_.size())), glm::vec4(glm::vec3(grid_.perVoxel), 0)});
+    words_ = gl::TexelBuffer();
+    words_ = gl::TexelBuffer(pages_.size() + capacity * kSlotWords, gl::Format::R32UI, "marks");
+    if (!block_) {
+        block_ = gl::Buffer(sizeof(MarksBlock), "where marks lie");
+    }
+    block_.writeValue(
+        MarksBlock{glm::ivec4(grid_.bricks(), int(pages_.size())), glm::vec4(glm::vec3(grid_.perVoxel), 0)});
     capacity_ = capacity;
 }
 
-void MarkBuffer::setPage(std::uint32_t place, std::uint32_t page) {
+void MarkTexture::setPage(std::uint32_t place, std::uint32_t page) {
     pages_[place] = page;
-    buffer_.writeValue(page, sizeof(Header) + place * kWord);
+    words_.write(std::as_bytes(std::span(&page, 1)), place);
 }
 
-void MarkBuffer::place(const Marks& marks, std::uint32_t place) {
+void MarkTexture::place(const Marks& marks, std::uint32_t place) {
     const auto words = wordsOf(around(marks, grid_.brickAt(place)));
     const auto known = slots_.find(place);
     if (!haveCoverage(words)) {
@@ -130,20 +134,19 @@ void MarkBuffer::place(const Marks& marks, std::uint32_t place) {
     } else {
         slot = used_++;
     }
-    buffer_.write(std::span<const std::uint32_t>(words),
-                  sizeof(Header) + (pages_.size() + slot * kSlotWords) * kWord);
+    words_.write(std::as_bytes(std::span(words)), pages_.size() + slot * kSlotWords);
     if (known == slots_.end()) {
         slots_[place] = slot;
         setPage(place, slot + 1);
     }
 }
 
-void MarkBuffer::show(const SharedMarks& marks) {
+void MarkTexture::show(const SharedMarks& marks) {
     if (shown_ == marks || (marks->isEmpty() && isEmpty())) {
         shown_ = marks;
         return;
     }
-    if (!marks->isEmpty() && (!buffer_ || !(grid_ == marks->grid()))) {
+    if (!marks->isEmpty() && (!words_ || !(grid_ == marks->grid()))) {
         begin(marks->grid());
     }
     // Bricks also appear in those before them.
@@ -174,6 +177,9 @@ void MarkBuffer::show(const SharedMarks& marks) {
     shown_ = marks;
 }
 
-void MarkBuffer::bind() const { buffer_.bindStorage(kMarksOfMaterialStorage); }
+void MarkTexture::bind() const {
+    words_.bindTexture(kMarksTexture);
+    block_.bindUniform(kMarksBlock);
+}
 
 } // namespace vs::field

@@ -107,7 +107,8 @@ TEST_F(MarksTest, AreWhereThePenWas) {
             way.emplace_back(point.voxel);
         }
         for (const View& view :
-             {drawnOn, viewOf(28, 1, projection), viewOf(5, 4, projection), viewOf(2, 9, projection)}) {
+             {drawnOn, viewOf(28, 1, projection), viewOf(5, 4, projection),
+              viewOf(2, projection == render::Projection::Perspective ? 5 : 9, projection)}) {
             const image::Image marked = picture(document, view);
             std::vector<glm::vec2> pixels;
             for (int i = 0; i < kSize.x * kSize.y; ++i) {
@@ -137,7 +138,7 @@ TEST_F(MarksTest, AreWhereThePenWas) {
                 const bool is = isMarked(marked, i % kSize.x, i / kSize.x);
                 wrong += (isInside && !is) || (isOutside && is) ? 1 : 0;
             }
-            EXPECT_GT(inside, 500);
+            EXPECT_GT(inside, 500) << "zoom " << view.camera.zoom << ", projection " << int(projection);
             // From near a pixel is a small part of a texel, a quarter of whose width edges may be off.
             const double texelPixels = document.marks()->grid().texelMm / rays.pixelMm({0, 0, 0});
             EXPECT_LE(wrong, texelPixels < 2 ? 2 : inside / 100)

@@ -101,7 +101,7 @@ def mark(studio):
     # Beside the head there is nothing to mark, and no operation.
     before = studio.state()["operations"]
     studio.drag(line(studio, (0.02, 0.95), (0.04, 0.97), 3))
-    state = studio.wait_idle("nothing marked", lambda s: "nothing was marked" in s["message"])
+    state = studio.wait_idle("nothing marked", lambda s: "othing was marked" in s["message"])
     need(state["operations"] == before, "a mark on nothing is an operation")
     studio.move(studio.view_point(0.5, 0.4))
     studio.xdotool("mousedown", 1)

@@ -59,7 +59,7 @@ void SceneBinding::bind(const Scene& scene) {
         scene.apartPages->bindTexture(kApartPagesTexture);
     }
     if (scene.marks != nullptr) {
-        scene.marks->bind();
+        scene.marks->bind(data.geometry);
     }
     (scene.segmentLabels != nullptr ? *scene.segmentLabels : segment1_).bindTexture(kSegmentLabelsTexture);
 }

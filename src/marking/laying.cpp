@@ -4,24 +4,69 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <set>
-#include <unordered_set>
+#include <vector>
 
 namespace vs::marking {
 
 namespace {
 
 constexpr int kBlock = 4; // texels along a side of what is looked at together
-constexpr int kBits = 21; // of a block's number along an axis
-constexpr std::uint64_t kMask = (std::uint64_t(1) << kBits) - 1;
 
-std::uint64_t keyOf(glm::ivec3 block) {
-    return std::uint64_t(block.z) << (2 * kBits) | std::uint64_t(block.y) << kBits | std::uint64_t(block.x);
-}
+// Which blocks of a box are meant.
+class BlockMap {
+public:
+    BlockMap() = default;
+    explicit BlockMap(const Box3& box) : box_(box), isIn_(box.volume()) {}
 
-glm::ivec3 blockOf(std::uint64_t key) {
-    return {int(key & kMask), int(key >> kBits & kMask), int(key >> (2 * kBits))};
-}
+    void set(glm::ivec3 block) { isIn_[indexOf(block)] = 1; }
+    // Means all within so many of one that is meant, axis after axis.
+    void widen(glm::ivec3 reach) {
+        for (int axis = 0; axis < 3; ++axis) {
+            glm::ivec3 size = box_.size();
+            const int count = size[axis];
+            size[axis] = 1; // where lines along the axis begin
+            forEachVoxel({box_.lo, box_.lo + size},
+                         [&](glm::ivec3 begin, std::size_t) { widenLine(begin, axis, count, reach[axis]); });
+        }
+    }
+    template <typename Visit>
+    void forEach(const Visit& visit) const {
+        forEachVoxel(box_, [&](glm::ivec3 block, std::size_t i) {
+            if (isIn_[i] != 0) {
+                visit(block);
+            }
+        });
+    }
+
+private:
+    void widenLine(glm::ivec3 begin, int axis, int count, int reach) {
+        std::vector<int> passed(std::size_t(count), reach + 1); // blocks since the last one that is meant
+        const auto at = [&](int n) {
+            glm::ivec3 block = begin;
+            block[axis] += n;
+            return indexOf(block);
+        };
+        int since = reach + 1;
+        for (int n = 0; n < count; ++n) {
+            since = isIn_[at(n)] != 0 ? 0 : since + 1;
+            passed[std::size_t(n)] = since;
+        }
+        since = reach + 1;
+        for (int n = count - 1; n >= 0; --n) {
+            since = passed[std::size_t(n)] == 0 ? 0 : since + 1;
+            isIn_[at(n)] = std::min(since, passed[std::size_t(n)]) <= reach ? 1 : 0;
+        }
+    }
+    [[nodiscard]] std::size_t indexOf(glm::ivec3 block) const {
+        const glm::ivec3 at = block - box_.lo;
+        const glm::ivec3 n = box_.size();
+        return (std::size_t(at.z) * std::size_t(n.y) + std::size_t(at.y)) * std::size_t(n.x) +
+               std::size_t(at.x);
+    }
+
+    Box3 box_;
+    std::vector<std::uint8_t> isIn_;
+};
 
 // Coverage so far inside an edge.
 double coverageAt(double insideMm, double texelMm) { return 0.5 + insideMm / (field::kMarkRamp * texelMm); }
@@ -30,35 +75,35 @@ class Laying {
 public:
     Laying(MarkLayer& layer, const Ground& ground, const Shape& shape, const Rim& rim)
         : layer_(layer), ground_(ground), shape_(shape), rim_(rim), grid_(layer.grid()),
-          voxelFromWorld_(ground.geometry->voxelFromWorld()),
+          voxelFromWorld_(ground.geometry->voxelFromWorld()), texelMm_(grid_.texelMm(*ground.geometry)),
           // Thinner than this, and no texel would be covered.
-          depthMm_(std::max(rim.depthMm, 0.75 * grid_.texelMm)),
-          rampMm_(0.5 * field::kMarkRamp * grid_.texelMm) {}
+          depthMm_(std::max(rim.depthMm, 0.75 * texelMm_)), rampMm_(0.5 * field::kMarkRamp * texelMm_) {}
 
-    // The blocks about the surface, in order.
-    [[nodiscard]] std::set<std::uint64_t> blocks(glm::ivec2 lo, glm::ivec2 hi) const {
-        std::unordered_set<std::uint64_t> onSurface;
-        double widest = 0; // of pixels that show the shape, where they lie
-        for (int y = lo.y; y < hi.y; ++y) {
-            for (int x = lo.x; x < hi.x; ++x) {
+    // The blocks about the surface.
+    [[nodiscard]] BlockMap blocks(glm::ivec2 lo, glm::ivec2 hi) const {
+        std::vector<glm::ivec3> onSurface;
+        double widest = 0; // of what lies between places that are looked at
+        const int stride = strideIn(lo, hi);
+        for (int y = lo.y; y < hi.y; y += stride) {
+            for (int x = lo.x; x < hi.x; x += stride) {
                 const ReliefPoint* point = ground_.relief->at({x, y});
                 if (point == nullptr) {
                     continue;
                 }
-                const ReliefPoint* beside = ground_.relief->at({x + 1, y});
+                const ReliefPoint* beside = ground_.relief->at({x + stride, y});
                 const double apart = beside != nullptr ? glm::distance(beside->world, point->world) : 0;
-                const double slack = rampMm_ + std::min(apart, 4 * grid_.texelMm);
+                const double slack = rampMm_ + std::min(apart, 4 * texelMm_);
                 if (shape_(point->world, {x + 0.5, y + 0.5}).insideMm > -slack) {
                     widest = std::max(widest, std::min(apart, depthMm_ + rampMm_));
-                    onSurface.insert(keyOf(blockAt(point->world)));
+                    onSurface.push_back(blockAt(point->world));
                 }
             }
         }
         return around(onSurface, depthMm_ + rampMm_ + widest);
     }
 
-    void cover(std::uint64_t block) {
-        const glm::ivec3 first = blockOf(block) * kBlock;
+    void cover(glm::ivec3 block) {
+        const glm::ivec3 first = block * kBlock;
         forEachVoxel({first, glm::min(first + kBlock, grid_.texels())},
                      [&](glm::ivec3 texel, std::size_t) { coverTexel(texel); });
     }
@@ -70,18 +115,37 @@ private:
         return glm::clamp(texel, glm::ivec3(0), grid_.texels() - 1) / kBlock;
     }
 
-    [[nodiscard]] std::set<std::uint64_t> around(const std::unordered_set<std::uint64_t>& blocks,
-                                                 double reachMm) const {
-        const glm::dvec3 texelMm = ground_.geometry->spacing() / glm::dvec3(grid_.perVoxel);
-        const glm::ivec3 reach(glm::ceil(reachMm / texelMm / double(kBlock)));
-        const glm::ivec3 last = (grid_.texels() - 1) / kBlock;
-        std::set<std::uint64_t> all;
-        for (const std::uint64_t key : blocks) {
-            const glm::ivec3 block = blockOf(key);
-            forEachVoxel({glm::max(block - reach, glm::ivec3(0)), glm::min(block + reach, last) + 1},
-                         [&](glm::ivec3 there, std::size_t) { all.insert(keyOf(there)); });
+    // From near, pixels are much smaller than texels: some of them say which blocks lie there.
+    [[nodiscard]] int strideIn(glm::ivec2 lo, glm::ivec2 hi) const {
+        constexpr int most = 16;
+        const glm::ivec2 middle = (lo + hi) / 2;
+        const ReliefPoint* point = ground_.relief->at(middle);
+        const ReliefPoint* beside = ground_.relief->at(middle + glm::ivec2(1, 0));
+        if (point == nullptr || beside == nullptr) {
+            return 1;
         }
-        return all;
+        const double apart = std::max(glm::distance(point->world, beside->world), 1e-9 * texelMm_);
+        return int(std::clamp(2 * texelMm_ / apart, 1.0, double(most)));
+    }
+
+    // All blocks within reach of these, along each axis.
+    [[nodiscard]] BlockMap around(const std::vector<glm::ivec3>& blocks, double reachMm) const {
+        if (blocks.empty()) {
+            return {};
+        }
+        const glm::dvec3 blockMm = ground_.geometry->spacing() / glm::dvec3(grid_.perVoxel) * double(kBlock);
+        const glm::ivec3 last = (grid_.texels() - 1) / kBlock;
+        const glm::ivec3 reach(glm::min(glm::ceil(reachMm / blockMm), glm::dvec3(last + 1)));
+        Box3 box{blocks.front(), blocks.front() + 1};
+        for (const glm::ivec3& block : blocks) {
+            box = unite(box, {block, block + 1});
+        }
+        BlockMap map(intersect({box.lo - reach, box.hi + reach}, {glm::ivec3(0), last + 1}));
+        for (const glm::ivec3& block : blocks) {
+            map.set(block);
+        }
+        map.widen(reach);
+        return map;
     }
 
     void coverTexel(glm::ivec3 texel) {
@@ -92,12 +156,12 @@ private:
             return;
         }
         const double above = glm::dot(world - point->world, point->normal);
-        const double within = coverageAt(depthMm_ - std::abs(above), grid_.texelMm);
+        const double within = coverageAt(depthMm_ - std::abs(above), texelMm_);
         if (within <= 0) {
             return;
         }
         const OnLine on = shape_(world - above * point->normal, pixel);
-        const double coverage = std::min(within, coverageAt(on.insideMm, grid_.texelMm));
+        const double coverage = std::min(within, coverageAt(on.insideMm, texelMm_));
         if (coverage > 0) {
             layer_.cover(texel, coverage, on.opacity * hardness(on.insideMm));
         }
@@ -114,6 +178,7 @@ private:
     const Rim& rim_;
     const field::MarkGrid& grid_;
     glm::dmat4 voxelFromWorld_;
+    double texelMm_;
     double depthMm_;
     double rampMm_;
 };
@@ -123,9 +188,7 @@ private:
 void lay(MarkLayer& layer, const Ground& ground, const Shape& shape, const Rim& rim, glm::ivec2 lo,
          glm::ivec2 hi) {
     Laying laying(layer, ground, shape, rim);
-    for (const std::uint64_t block : laying.blocks(lo, hi)) {
-        laying.cover(block);
-    }
+    laying.blocks(lo, hi).forEach([&](glm::ivec3 block) { laying.cover(block); });
 }
 
 } // namespace vs::marking

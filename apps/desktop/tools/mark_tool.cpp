@@ -68,6 +68,7 @@ void MarkTool::press(const Pen& pen) {
         return;
     }
     waiting_.clear();
+    last_ = {glm::dvec2(-1e9), 0, {}};
     isDrawing_ = studio_.editor().beginStroke([&](auto& document, const auto& canvas) {
         studio::Mark mark = markOf({});
         mark.canvas = canvas;
@@ -111,6 +112,11 @@ void MarkTool::viewResized() { clear(); }
 void MarkTool::lead(const Pen& pen) {
     const sculpt::PenPoint point{
         glm::dvec2(pen.position.x(), pen.position.y()) * studio_.view().devicePerLogical(), pen.pressure, {}};
+    // What the pen has covered it covers once: from the same place, pressed no harder, nothing would change.
+    if (glm::distance(point.pixel, last_.pixel) < 1 && point.pressure <= last_.pressure) {
+        return;
+    }
+    last_ = point;
     waiting_.push_back(point);
     studio_.host().wake();
 }
@@ -166,7 +172,7 @@ void MarkTool::tell() {
 }
 
 void MarkTool::setReversed(bool reversed) {
-    if (reversed != erases_) {
+    if (reversed != erases_ && !isDrawing_) {
         erases_ = reversed;
         tell();
     }

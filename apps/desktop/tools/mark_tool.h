@@ -79,6 +79,7 @@ private:
     bool isDashed_ = false;
     bool erases_ = false;
     bool isDrawing_ = false;               // a line that is seen meanwhile
+    sculpt::PenPoint last_;                // of the line, as far as it was told
     std::deque<sculpt::PenPoint> waiting_; // pen points that the document has not seen yet
 };
 

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/marks/mark_texture.h"
 
-#include "base/error.h"
+#include "base/log.h"
 #include "field/shaders/bindings.h"
+#include "gl/limits.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <set>
 #include <span>
+#include <utility>
 
 namespace vs::field {
 
@@ -65,8 +69,20 @@ std::size_t pagesOf(const MarkGrid& grid) {
 }
 
 std::size_t mostSlots(const MarkGrid& grid) {
-    const std::size_t most = gl::TexelBuffer::mostTexels();
+    const std::size_t most =
+        std::min(gl::TexelBuffer::mostTexels(), gl::limits().storageBlockBytes / sizeof(std::uint32_t));
     return most > pagesOf(grid) ? (most - pagesOf(grid)) / kSlotWords : 0;
+}
+
+// The places in which texels of a brick may appear: its own and those before it.
+void addPlacesOf(const MarkGrid& grid, std::uint32_t place, std::set<std::uint32_t>& places) {
+    const glm::ivec3 brick = grid.brickAt(place);
+    for (int i = 0; i < 8; ++i) {
+        const glm::ivec3 there = brick - glm::ivec3(i & 1, (i >> 1) & 1, i >> 2);
+        if (glm::all(glm::greaterThanEqual(there, glm::ivec3(0)))) {
+            places.insert(grid.placeOf(there));
+        }
+    }
 }
 
 bool haveCoverage(const std::vector<std::uint32_t>& words) {
@@ -76,55 +92,60 @@ bool haveCoverage(const std::vector<std::uint32_t>& words) {
 
 } // namespace
 
-std::size_t MarkTexture::mostBricks(const MarkGrid& grid) { return mostSlots(grid) / 2; }
+bool MarkTexture::hasRoomFor(const Marks& marks) {
+    const std::size_t most = mostSlots(marks.grid());
+    if (8 * marks.bricks().size() <= most) {
+        return true;
+    }
+    std::set<std::uint32_t> places;
+    for (const auto& [place, brick] : marks.bricks()) {
+        addPlacesOf(marks.grid(), place, places);
+    }
+    return std::size_t(std::count_if(places.begin(), places.end(), [&](std::uint32_t place) {
+               return haveCoverage(wordsOf(around(marks, marks.grid().brickAt(place))));
+           })) <= most;
+}
 
-void MarkTexture::begin(const MarkGrid& grid) {
-    grid_ = grid;
-    pages_.assign(pagesOf(grid), 0);
+void MarkTexture::forget() {
     slots_.clear();
     free_.clear();
     used_ = 0;
     capacity_ = 0;
+    words_ = gl::TexelBuffer();
     shown_ = std::make_shared<const Marks>();
 }
 
-void MarkTexture::makeRoom(std::size_t slots) {
-    if (slots <= capacity_) {
-        return;
-    }
-    const std::size_t most = mostSlots(grid_);
-    if (slots > most) {
-        throw Error("there are marks in {} bricks; this device holds {}: undo some, or erase some", slots,
-                    most);
-    }
-    const std::size_t capacity = std::min(std::max({slots, 2 * capacity_, kFirstSlots}), most);
-    begin(grid_); // all of it has to come again
-    words_ = gl::TexelBuffer();
-    words_ = gl::TexelBuffer(pages_.size() + capacity * kSlotWords, gl::Format::R32UI, "marks");
-    if (!block_) {
-        block_ = gl::Buffer(sizeof(MarksBlock), "where marks lie");
-    }
-    block_.writeValue(
-        MarksBlock{glm::ivec4(grid_.bricks(), int(pages_.size())), glm::vec4(glm::vec3(grid_.perVoxel), 0)});
-    capacity_ = capacity;
+void MarkTexture::begin(const MarkGrid& grid, std::size_t slots) {
+    forget();
+    grid_ = grid;
+    words_ = gl::TexelBuffer(pagesOf(grid) + slots * kSlotWords, gl::Format::R32UI, "marks");
+    capacity_ = slots;
 }
 
 void MarkTexture::setPage(std::uint32_t place, std::uint32_t page) {
-    pages_[place] = page;
     words_.write(std::as_bytes(std::span(&page, 1)), place);
 }
 
-void MarkTexture::place(const Marks& marks, std::uint32_t place) {
-    const auto words = wordsOf(around(marks, grid_.brickAt(place)));
-    const auto known = slots_.find(place);
-    if (!haveCoverage(words)) {
-        if (known != slots_.end()) {
-            setPage(place, 0);
-            free_.push_back(known->second);
-            slots_.erase(known);
-        }
-        return;
+std::map<std::uint32_t, MarkTexture::Words> MarkTexture::changes(const Marks& marks) const {
+    std::set<std::uint32_t> places;
+    for (const std::uint32_t changed : changedBricks(*shown_, marks)) {
+        addPlacesOf(marks.grid(), changed, places);
     }
+    std::map<std::uint32_t, Words> found;
+    for (const std::uint32_t place : places) {
+        Words words = wordsOf(around(marks, marks.grid().brickAt(place)));
+        if (!haveCoverage(words)) {
+            words.clear();
+        }
+        if (!words.empty() || slots_.count(place) > 0) {
+            found[place] = std::move(words);
+        }
+    }
+    return found;
+}
+
+void MarkTexture::place(std::uint32_t place, const Words& words) {
+    const auto known = slots_.find(place);
     std::uint32_t slot = 0;
     if (known != slots_.end()) {
         slot = known->second;
@@ -134,7 +155,7 @@ void MarkTexture::place(const Marks& marks, std::uint32_t place) {
     } else {
         slot = used_++;
     }
-    words_.write(std::as_bytes(std::span(words)), pages_.size() + slot * kSlotWords);
+    words_.write(std::as_bytes(std::span(words)), pagesOf(grid_) + slot * kSlotWords);
     if (known == slots_.end()) {
         slots_[place] = slot;
         setPage(place, slot + 1);
@@ -142,43 +163,64 @@ void MarkTexture::place(const Marks& marks, std::uint32_t place) {
 }
 
 void MarkTexture::show(const SharedMarks& marks) {
-    if (shown_ == marks || (marks->isEmpty() && isEmpty())) {
-        shown_ = marks;
+    if (shown_ == marks) {
         return;
     }
-    if (!marks->isEmpty() && (!words_ || !(grid_ == marks->grid()))) {
-        begin(marks->grid());
+    if (marks->isEmpty()) {
+        forget();
+        return;
     }
-    // Bricks also appear in those before them.
-    const auto touched = [&] {
-        std::set<std::uint32_t> places;
-        for (const std::uint32_t changed : changedBricks(*shown_, *marks)) {
-            const glm::ivec3 brick = grid_.brickAt(changed);
-            for (int i = 0; i < 8; ++i) {
-                const glm::ivec3 there = brick - glm::ivec3(i & 1, (i >> 1) & 1, i >> 2);
-                if (glm::all(glm::greaterThanEqual(there, glm::ivec3(0)))) {
-                    places.insert(grid_.placeOf(there));
-                }
-            }
+    if (!(grid_ == marks->grid())) {
+        forget();
+        grid_ = marks->grid();
+    }
+    auto changed = changes(*marks);
+    const auto slotsFor = [&] { // what there is then
+        std::size_t slots = slots_.size();
+        for (const auto& [place, words] : changed) {
+            slots += slots_.count(place) == 0 ? 1 : 0;
+            slots -= words.empty() ? 1 : 0;
         }
-        return places;
+        return slots;
     };
-    auto places = touched();
-    if (slots_.size() + places.size() > capacity_) {
-        const SharedMarks before = shown_;
-        makeRoom(slots_.size() + places.size());
-        places = shown_ != before ? touched() : places;
+    if (const std::size_t slots = slotsFor(); slots > capacity_) {
+        const std::size_t most = mostSlots(grid_);
+        if (slots > most) {
+            if (!std::exchange(hasComplained_, true)) {
+                logNotice(
+                    fmt::format("there are marks in {} bricks, and this device has room for {}: they are "
+                                "not shown",
+                                slots, most));
+            }
+            forget();
+            return;
+        }
+        begin(grid_, std::min(std::max({slots, 2 * capacity_, kFirstSlots}), most));
+        changed = changes(*marks); // all of it has to come again
     }
-    const SharedMarks nothing = std::make_shared<const Marks>(Marks(grid_, {}));
-    const Marks& shown = marks->isEmpty() ? *nothing : *marks;
-    for (const std::uint32_t p : places) {
-        place(shown, p);
+    for (const auto& [place, words] : changed) {
+        if (words.empty()) {
+            setPage(place, 0);
+            free_.push_back(slots_.at(place));
+            slots_.erase(place);
+        }
+    }
+    for (const auto& [place, words] : changed) {
+        if (!words.empty()) {
+            this->place(place, words);
+        }
     }
     shown_ = marks;
 }
 
-void MarkTexture::bind() const {
+void MarkTexture::bind(const volume::GridGeometry& geometry) const {
     words_.bindTexture(kMarksTexture);
+    if (!block_) {
+        block_ = gl::Buffer(sizeof(MarksBlock), "where marks lie");
+    }
+    const double perStep = geometry.stepMm() / grid_.texelMm(geometry);
+    block_.writeValue(MarksBlock{glm::ivec4(grid_.bricks(), int(pagesOf(grid_))),
+                                 glm::vec4(glm::vec3(grid_.perVoxel), float(perStep))});
     block_.bindUniform(kMarksBlock);
 }
 

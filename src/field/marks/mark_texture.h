@@ -15,7 +15,7 @@ namespace vs::field {
 // Where marks lie on the device; mirrors MarksBlock in field/shaders/marks.glsl (std140).
 struct MarksBlock {
     glm::ivec4 markBricks{0};  // xyz along each axis, w in which word the bricks begin
-    glm::vec4 markPerVoxel{1}; // xyz texels along each axis of a voxel
+    glm::vec4 markPerVoxel{1}; // xyz texels along each axis of a voxel, w of a step
 };
 inline constexpr gl::BlockMember kMarksBlockMembers[] = {VS_BLOCK_MEMBER(MarksBlock, markBricks),
                                                          VS_BLOCK_MEMBER(MarksBlock, markPerVoxel)};
@@ -27,29 +27,34 @@ static_assert(isWhole(kMarksBlockLayout));
 // lies between its texels and theirs is found in it; and is there where only these have any.
 class MarkTexture {
 public:
-    // So many bricks have room on every device: with each may come another, for the texels before it.
-    static std::size_t mostBricks(const MarkGrid& grid);
-    // Brings what has changed since the last time to the device. Throws Error where there are more marks than
-    // the device holds.
+    // Whether marks have room on the device.
+    static bool hasRoomFor(const Marks& marks);
+    // Brings what has changed since the last time to the device. Of more marks than that has room for nothing
+    // is shown, and a notice says so.
     void show(const SharedMarks& marks);
-    [[nodiscard]] bool isEmpty() const { return shown_ == nullptr || shown_->isEmpty(); }
-    void bind() const;
+    [[nodiscard]] bool isEmpty() const { return shown_->isEmpty(); }
+    // For a scan whose voxels lie there.
+    void bind(const volume::GridGeometry& geometry) const;
 
 private:
-    void begin(const MarkGrid& grid);
-    void makeRoom(std::size_t slots);
-    void place(const Marks& marks, std::uint32_t place);
-    void setPage(std::uint32_t place, std::uint32_t page);
+    using Words = std::vector<std::uint32_t>;
 
-    SharedMarks shown_;
+    void begin(const MarkGrid& grid, std::size_t slots);
+    void forget();
+    void place(std::uint32_t place, const Words& words);
+    void setPage(std::uint32_t place, std::uint32_t page);
+    // The bricks that differ from what is shown, as the device has them; empty words: nothing is there.
+    [[nodiscard]] std::map<std::uint32_t, Words> changes(const Marks& marks) const;
+
+    SharedMarks shown_ = std::make_shared<const Marks>();
     MarkGrid grid_;
-    std::vector<std::uint32_t> pages_;
     std::map<std::uint32_t, std::uint32_t> slots_; // by place
     std::vector<std::uint32_t> free_;
     std::uint32_t used_ = 0;   // slots, free ones among them
     std::size_t capacity_ = 0; // slots
     gl::TexelBuffer words_;
-    gl::Buffer block_;
+    mutable gl::Buffer block_;
+    bool hasComplained_ = false;
 };
 
 } // namespace vs::field

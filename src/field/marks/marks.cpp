@@ -14,9 +14,9 @@ MarkGrid markGridOf(const volume::GridGeometry& geometry) {
     const glm::dvec3 steps = glm::dvec3(geometry.dims) * spacing / step;
     const double longest = std::max({steps.x, steps.y, steps.z});
     const double perStep = 2 * longest <= mostTexels ? 2 : 1;
-    constexpr double mostPerVoxel = 32;
-    const glm::dvec3 perVoxel = glm::clamp(glm::round(spacing / step * perStep), 1.0, mostPerVoxel);
-    return {geometry.dims, glm::ivec3(perVoxel), step / perStep};
+    const glm::dvec3 perVoxel =
+        glm::clamp(glm::round(spacing / step * perStep), 1.0, double(kMostMarksPerVoxel));
+    return {geometry.dims, glm::ivec3(perVoxel)};
 }
 
 bool MarkBrick::isEmpty() const {
@@ -59,7 +59,8 @@ glm::dvec4 Marks::colourAt(const glm::dvec3& voxel) const {
     if (isEmpty()) {
         return glm::dvec4(0);
     }
-    const glm::dvec3 q = grid_.texelFromVoxel(voxel);
+    const glm::dvec3 q =
+        glm::clamp(grid_.texelFromVoxel(voxel), glm::dvec3(0), glm::dvec3(grid_.texels() - 1));
     const glm::ivec3 first(glm::floor(q));
     const glm::dvec3 part = q - glm::dvec3(first);
     double covered = 0;

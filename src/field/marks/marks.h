@@ -4,6 +4,7 @@
 #include "base/math.h"
 #include "volume/grid/geometry.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -25,7 +26,6 @@ inline constexpr double kMarkRamp = 3;
 struct MarkGrid {
     glm::ivec3 dims{0};     // of the scan, voxels
     glm::ivec3 perVoxel{1}; // texels
-    double texelMm = 1;     // how wide one is, about
 
     [[nodiscard]] glm::ivec3 texels() const { return dims * perVoxel; }
     [[nodiscard]] glm::ivec3 bricks() const { return (texels() + (kMarkBrick - 1)) / kMarkBrick; }
@@ -45,8 +45,15 @@ struct MarkGrid {
         const glm::uvec3 n(bricks());
         return {int(place % n.x), int(place / n.x % n.y), int(place / n.x / n.y)};
     }
+    // How wide a texel is on the widest axis, where the voxels lie now.
+    [[nodiscard]] double texelMm(const volume::GridGeometry& geometry) const {
+        const glm::dvec3 mm = geometry.spacing() / glm::dvec3(perVoxel);
+        return std::max({mm.x, mm.y, mm.z});
+    }
     bool operator==(const MarkGrid&) const = default;
 };
+inline constexpr int kMostMarksPerVoxel = 32;                          // texels along an axis
+inline constexpr std::int64_t kMostMarkBricks = std::int64_t(1) << 26; // of a grid
 MarkGrid markGridOf(const volume::GridGeometry& geometry);
 
 // What a texel of marks holds. Colour and opacity are those of the mark that is there, also a little beyond

@@ -4,7 +4,7 @@
 #include "field/shaders/bindings.glsl"
 layout(std140, binding = kMarksBlock) uniform MarksBlock {
     ivec4 markBricks;  // xyz bricks along each axis, w where they begin in markWords
-    vec4 markPerVoxel; // xyz texels along each axis of a voxel
+    vec4 markPerVoxel; // xyz texels along each axis of a voxel, w of a step
 };
 // For each brick 0, or its number counted from 1; then the bricks: the colours of their texels and of the
 // first ones behind them, and for each cell (and, along z, one more) the coverage of its four corners with
@@ -49,7 +49,8 @@ vec4 markInCell(int begin, ivec3 texel, vec3 part, float pixelTexels) {
 // Linear colour and opacity of what is marked at p, seen by pixels so many steps wide: edges are as sharp as
 // these, however near one goes.
 vec4 markAt(vec3 p, float pixelSteps) {
-    vec3 q = max((p + 0.5) * markPerVoxel.xyz - 0.5, vec3(0.0));
+    vec3 last = vec3(dims.xyz) * markPerVoxel.xyz - 1.0;
+    vec3 q = clamp((p + 0.5) * markPerVoxel.xyz - 0.5, vec3(0.0), last);
     ivec3 first = ivec3(floor(q));
     vec3 part = q - vec3(first);
     ivec3 brick = first >> kMarkShift;
@@ -59,8 +60,7 @@ vec4 markAt(vec3 p, float pixelSteps) {
     bool isLookedUp = page != 0u; // a loop: software renderers leave it where no ray of a group needs it
     while (isLookedUp) {
         int begin = markBricks.w + (int(page) - 1) * kMarkSlot;
-        float pixelTexels = pixelSteps * markPerVoxel.x * spacing.w / spacing.x;
-        mark = markInCell(begin, first & (kMarkBrick - 1), part, pixelTexels);
+        mark = markInCell(begin, first & (kMarkBrick - 1), part, pixelSteps * markPerVoxel.w);
         isLookedUp = false;
     }
     return mark;

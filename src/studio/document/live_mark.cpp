@@ -25,24 +25,26 @@ bool LiveMark::isOpen() const { return contents_.inHand == InHand::Mark; }
 
 Outcome LiveMark::commit() {
     VS_CHECK(isOpen());
-    const Operation operation = marks_.stroke().operation();
-    auto entry = log_.prepare(operation, contents_.view, contents_.view);
-    Outcome outcome;
     try {
-        outcome = marks_.finish();
-    } catch (...) { // there is no memory for what would undo it, or no room
+        const Operation operation = marks_.stroke().operation();
+        auto entry = log_.prepare(operation, contents_.view, contents_.view);
+        Outcome outcome = marks_.finish();
+        gl::Context::requireDevice();
+        contents_.inHand = InHand::Nothing;
+        outcome.name = name(operation);
+        outcome.milliseconds = timer_.milliseconds();
+        if (outcome.voxelsTouched > 0) {
+            log_.add(std::move(entry));
+            contents_.history.settle();
+        }
+        return outcome;
+    } catch (...) { // there is no memory for what would undo it, or no room for more marks
+        if (marks_.isOpen()) {
+            marks_.discard();
+        }
         contents_.inHand = InHand::Nothing;
         throw;
     }
-    gl::Context::requireDevice();
-    contents_.inHand = InHand::Nothing;
-    outcome.name = name(operation);
-    outcome.milliseconds = timer_.milliseconds();
-    if (outcome.voxelsTouched > 0) {
-        log_.add(std::move(entry));
-        contents_.history.settle();
-    }
-    return outcome;
 }
 
 void LiveMark::discard() {

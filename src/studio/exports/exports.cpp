@@ -6,6 +6,7 @@
 #include "mesh/segment_surface.h"
 #include "mesh/write_mesh.h"
 #include "render/camera/placement.h"
+#include "render/colours/colour.h"
 #include "segment/edits/label_sets.h"
 #include "segment/measures/measured_segment.h"
 #include "studio/exports/store_export.h"
@@ -52,7 +53,8 @@ void colourByMarks(mesh::Mesh& mesh, const ExportSource& source) {
     for (const glm::vec3 point : mesh.points) {
         const glm::dvec4 mark = source.marks->colourAt(glm::dvec3(voxelFromWorld * glm::dvec4(point, 1)));
         isMarked = isMarked || mark.w > 0;
-        colours.emplace_back(glm::mix(mesh.colour, glm::dvec3(mark), mark.w));
+        colours.emplace_back(render::displayFromLinear(glm::mix(
+            render::linearFromDisplay(mesh.colour), render::linearFromDisplay(glm::dvec3(mark)), mark.w)));
     }
     if (isMarked) {
         mesh.colours = std::move(colours);

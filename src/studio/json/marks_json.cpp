@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/json/marks_json.h"
 
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -11,23 +10,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kHeader = 4;   // numbers: texels of a voxel along x, y, z, and the bits of texelMm
+constexpr std::size_t kHeader = 3;   // numbers: texels of a voxel along x, y, z
 constexpr std::size_t kPerBrick = 4; // place, and the three numbers of a shared list
-constexpr std::uint64_t kMostPerVoxel = 32;
 
 field::MarkGrid readGrid(const std::vector<std::uint64_t>& numbers, const JsonReader& from, glm::ivec3 dims) {
     field::MarkGrid grid;
     grid.dims = dims;
-    grid.texelMm = std::bit_cast<double>(numbers[3]);
+    double bricks = 1;
     for (int axis = 0; axis < 3; ++axis) {
         const std::uint64_t n = numbers[std::size_t(axis)];
-        if (n < 1 || n > kMostPerVoxel) {
+        if (n < 1 || n > std::uint64_t(field::kMostMarksPerVoxel)) {
             from.fail("must have 1 to 32 texels of marks in a voxel");
         }
         grid.perVoxel[axis] = int(n);
+        bricks *= std::ceil(double(dims[axis]) * double(n) / field::kMarkBrick);
     }
-    if (!std::isfinite(grid.texelMm) || grid.texelMm <= 0) {
-        from.fail("must say how wide a texel of marks is");
+    if (bricks > double(field::kMostMarkBricks)) {
+        from.fail("must not divide the scan into more than 67108864 bricks of marks");
     }
     return grid;
 }
@@ -42,7 +41,6 @@ Json stored(StateWriter& file, const field::SharedMarks& marks) {
             for (int axis = 0; axis < 3; ++axis) {
                 numbers.push_back(std::uint64_t(grid.perVoxel[axis]));
             }
-            numbers.push_back(std::bit_cast<std::uint64_t>(grid.texelMm));
         }
         for (const auto& [place, brick] : marks->bricks()) {
             const Json block =

@@ -60,12 +60,11 @@ Outcome MarkEditor::finish() {
     const field::SharedMarks after = stroke_->marks();
     Outcome outcome;
     try {
-        const std::size_t most = field::MarkTexture::mostBricks(after->grid());
-        if (!after->isEmpty() && after->bricks().size() > most) {
+        if (!after->isEmpty() && !field::MarkTexture::hasRoomFor(*after)) {
             throw Error(
-                "this mark would need {} bricks of {} texels, and there is room for {}: mark less, or "
-                "erase some",
-                after->bricks().size(), field::kMarkTexels, most);
+                "with this mark there would be marks in {} bricks, more than this device has room for: "
+                "mark less, or erase some",
+                after->bricks().size());
         }
         outcome.voxelsTouched = changedVoxels(*before, *after);
         if (outcome.voxelsTouched > 0) {

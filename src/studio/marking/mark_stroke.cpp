@@ -18,17 +18,19 @@ namespace {
 constexpr double kUsualDepthSteps = 2;
 constexpr double kPiecePixels = 16; // of a way that are laid together
 constexpr double kLeastPressure = 0.05;
+constexpr std::size_t kPixelsAtOnce = 1 << 17; // that are looked under in one go
 
 field::MarkGrid gridFor(const field::Marks& before, const volume::GridGeometry& geometry) {
     return before.isEmpty() ? field::markGridOf(geometry) : before.grid();
 }
 
-// Where something may be marked: where the volume appears or, from within it, in the picture and around it.
+// Where something may be marked: where the volume appears in the picture, and a little around it.
 sculpt::MaskWindow markedWindow(const volume::GridGeometry& geometry, const render::ViewRays& rays) {
     sculpt::MaskWindow window = pictureOf(geometry, rays);
     const glm::dvec2 size(rays.size);
-    window.lo = glm::max(window.lo, -size);
-    window.hi = glm::min(window.hi, 2.0 * size);
+    constexpr double around = 0.25; // of the picture
+    window.lo = glm::max(window.lo, -around * size);
+    window.hi = glm::min(window.hi, (1 + around) * size);
     return window;
 }
 
@@ -44,7 +46,8 @@ std::uint8_t byteOf(double part) { return std::uint8_t(std::lround(std::clamp(pa
 MarkStroke::MarkStroke(Cutter& cutter, MakeFrame makeFrame, field::SharedMarks before, const Mark& operation)
     : cutter_(&cutter), makeFrame_(std::move(makeFrame)), operation_(operation), rays_(makeFrame_().rays),
       picture_(markedWindow(*cutter.scene, rays_)), before_(std::move(before)), now_(before_),
-      layer_(gridFor(*before_, *cutter.scene)), dashMm_(operation.dashMm) {}
+      layer_(gridFor(*before_, *cutter.scene)), texelMm_(layer_.grid().texelMm(*cutter.scene)),
+      dashMm_(operation.dashMm >= texelMm_ ? operation.dashMm : 0) {}
 
 marking::Ground MarkStroke::ground() const {
     return {&relief_, cutter_->scene, [this](const glm::dvec3& world) { return rays_.project(world); }};
@@ -53,7 +56,7 @@ marking::Ground MarkStroke::ground() const {
 marking::Rim MarkStroke::rim() const {
     const double depth = operation_.depthMm.value_or(kUsualDepthSteps * cutter_->scene->stepMm());
     // An eraser reaches what a pen has left at the end of its own depth.
-    return {depth + (operation_.erases ? field::kMarkRamp * layer_.grid().texelMm : 0), operation_.softMm};
+    return {depth + (operation_.erases ? field::kMarkRamp * texelMm_ : 0), operation_.softMm};
 }
 
 marking::Ink MarkStroke::ink() const {
@@ -66,14 +69,17 @@ std::vector<std::optional<marking::ReliefPoint>> MarkStroke::pick(const std::vec
     const render::Frame frame = makeFrame_();
     const auto meets =
         frame.mode == render::Mode::Overlay ? render::Picker::Meets::Segment : render::Picker::Meets::Surface;
-    const std::vector<glm::vec2> positions(pixels.begin(), pixels.end());
-    const auto points = cutter_->picker.pickPoints(frame, positions, meets);
-    std::vector<std::optional<marking::ReliefPoint>> found(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (points[i].voxel.w > 0) {
-            const glm::dvec3 voxel(points[i].voxel);
-            found[i] = {glm::dvec3(cutter_->scene->worldFromVoxel * glm::dvec4(voxel, 1)),
-                        glm::dvec3(points[i].normal)};
+    std::vector<std::optional<marking::ReliefPoint>> found;
+    found.reserve(pixels.size());
+    for (std::size_t begin = 0; begin < pixels.size(); begin += kPixelsAtOnce) {
+        const std::size_t end = std::min(begin + kPixelsAtOnce, pixels.size());
+        const std::vector<glm::vec2> positions(pixels.begin() + std::ptrdiff_t(begin),
+                                               pixels.begin() + std::ptrdiff_t(end));
+        for (const field::SurfacePoint& point : cutter_->picker.pickPoints(frame, positions, meets)) {
+            const glm::dvec3 world(cutter_->scene->worldFromVoxel * glm::dvec4(glm::dvec3(point.voxel), 1));
+            const bool isHit = point.voxel.w > 0;
+            found.push_back(isHit ? std::optional(marking::ReliefPoint{world, glm::dvec3(point.normal)})
+                                  : std::nullopt);
         }
     }
     return found;
@@ -86,7 +92,7 @@ void MarkStroke::show() { now_ = std::make_shared<const field::Marks>(layer_.on(
 marking::PathPoint MarkStroke::pathPoint(const glm::dvec3& world, double pressure) const {
     const double pressed = std::max(pressure, kLeastPressure);
     // Thinner lines than this have no texel that they cover.
-    const double thinnest = 0.75 * layer_.grid().texelMm;
+    const double thinnest = 0.75 * texelMm_;
     const double width =
         operation_.widthMm * (operation_.pressureSets == Mark::Pressure::Width ? pressed : 1);
     const double opacity =
@@ -178,7 +184,7 @@ void MarkStroke::layPaths(const Paths& paths) {
     glm::dvec2 hi(-most);
     for (const auto& path : paths) {
         for (const marking::PathPoint& point : path) {
-            const double texel = layer_.grid().texelMm;
+            const double texel = texelMm_;
             const double reach = point.radiusMm + rim.depthMm + field::kMarkRamp * texel;
             const double pixels = reach / std::max(rays_.pixelMm(point.world), 1e-9) + 2;
             const glm::dvec2 pixel = rays_.project(point.world);
@@ -269,27 +275,45 @@ void MarkStroke::drawAt(const sculpt::PenPoint& pen) {
 
 // --- what is drawn at once
 
+// How far places lie inside the outline is worked out near its edge only, as far as the rim goes; where that
+// is many pixels wide, for fewer of them.
 void MarkStroke::drawArea() {
-    const double reachMm = std::max(operation_.softMm, 0.0) + field::kMarkRamp * layer_.grid().texelMm;
-    const auto nearest = pick({centreOf(outlineOf(operation_.sketch))});
-    const double pixelMm = nearest.front() ? rays_.pixelMm(nearest.front()->world)
-                                           : rays_.pixelMm(glm::dvec3(cutter_->scene->worldFromVoxel[3]));
-    constexpr double mostReach = 512; // pixels
-    const double reach = std::min(reachMm / std::max(pixelMm, 1e-9) * 1.5 + 2, mostReach);
-    const auto outline =
-        sculpt::clipToBox(outlineOf(operation_.sketch), picture_.lo - 2 * reach, picture_.hi + 2 * reach);
-    const std::array<marking::AreaDistances::Outline, 1> outlines{outline};
-    const marking::AreaDistances area(outlines, reach);
-    const glm::ivec2 lo = area.lo() - 1;
-    const glm::ivec2 end = area.lo() + area.size() + 1;
-    relief_.lookUnder(lo, end, [this](const auto& pixels) { return pick(pixels); });
+    constexpr double mostReach = 64; // of those
+    const auto outline = outlineOf(operation_.sketch);
+    if (outline.empty()) {
+        return;
+    }
+    const auto middle = pick({centreOf(outline)}).front();
+    const double pixelMm =
+        rays_.pixelMm(middle ? middle->world
+                             : glm::dvec3(cutter_->scene->worldFromVoxel *
+                                          glm::dvec4(0.5 * glm::dvec3(cutter_->scene->dims), 1)));
+    // Where the surface is farther away than in the middle, pixels are wider.
+    const double reachMm = 1.5 * (operation_.softMm + field::kMarkRamp * texelMm_);
+    const double reach = reachMm / std::max(pixelMm, 1e-9) + 2;
+    const double pitch = std::max(reach / mostReach, 1.0); // pixels
+    std::array<marking::AreaDistances::Outline, 1> outlines{
+        sculpt::clipToBox(outline, picture_.lo - 2 * reach, picture_.hi + 2 * reach)};
+    for (glm::dvec2& corner : outlines[0]) {
+        corner /= pitch;
+    }
+    const marking::AreaDistances area(outlines, reach / pitch);
+    const glm::dvec2 lo = glm::max(pitch * glm::dvec2(area.lo()), picture_.lo) - 2.0;
+    const glm::dvec2 hi = glm::min(pitch * glm::dvec2(area.lo() + area.size()), picture_.hi) + 2.0;
+    if (outlines[0].empty() || !(lo.x < hi.x && lo.y < hi.y)) {
+        return;
+    }
+    const glm::ivec2 first(glm::floor(lo));
+    const glm::ivec2 end(glm::ceil(hi));
+    relief_.lookUnder(first, end, [this](const auto& pixels) { return pick(pixels); });
     const marking::Shape shape = [&](const glm::dvec3& onSurface, glm::dvec2 pixel) {
-        return marking::OnLine{area.insidePixels(pixel) * rays_.pixelMm(onSurface), operation_.opacity};
+        return marking::OnLine{pitch * area.insidePixels(pixel / pitch) * rays_.pixelMm(onSurface),
+                               operation_.opacity};
     };
-    marking::lay(layer_, ground(), shape, rim(), lo, end);
+    marking::lay(layer_, ground(), shape, rim(), first, end);
 }
 
-// Two strokes back from the tip, each about half as long again as the line is wide five times.
+// Two strokes back from the tip.
 void MarkStroke::drawArrow() {
     constexpr double barbWidths = 6;
     constexpr double barbAngle = 0.45; // radians from the shaft

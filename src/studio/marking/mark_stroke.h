@@ -70,6 +70,7 @@ private:
     marking::MarkLayer layer_;
     marking::Relief relief_;
     std::optional<Place> last_; // of the pen
+    double texelMm_ = 0;        // of marks, where the voxels lie now
     double dashMm_ = 0;         // of the line at work; 0: it is whole
     double travelledMm_ = 0;    // along it so far
 };

@@ -55,7 +55,7 @@ Fault Mark::faultOf() const {
     }
     if (const std::string character = marking::unwritable(text); !character.empty()) {
         return {"text",
-                fmt::format("a pen does not write \"{}\": it writes A to Z, umlauts, digits and + - x = / "
+                fmt::format("a pen does not write \"{}\": it writes A to Z, umlauts, digits, ° and + - × = / "
                             ". , : ? ! * < > ( )",
                             character)};
     }

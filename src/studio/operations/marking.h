@@ -12,6 +12,7 @@
 namespace vs::studio {
 
 inline constexpr double kMostMarkMm = 1000;
+inline constexpr double kMostMarkDepthMm = 50;
 
 // Lays a colour on the surface seen under a sketch, into the material: it stays on that whatever is done with
 // the view, the displayed range or the scan. A canvas that is not set means the document's view at that
@@ -66,11 +67,12 @@ struct Mark {
                     "of lines, on the surface")
                 .onlyWhen(isDrawn),
             sparse("soft", &Mark::softMm, mm, "over which the rim grows from nothing to the mark's opacity"),
-            sparse("dash", &Mark::dashMm, mm, "length of dashes and of the gaps between them; 0: none")
+            sparse("dash", &Mark::dashMm, mm,
+                   "length of dashes and of the gaps between them; 0, or less than half a step: none")
                 .onlyWhen(isDashed),
-            sparse("depth", &Mark::depthMm, {.least = 0, .most = kMostMarkMm, .unit = "mm"},
-                   "how far into the material; without: two steps"),
-            required("text", &Mark::text, {.leastCount = 1, .mostCount = 100},
+            sparse("depth", &Mark::depthMm, {.least = 0, .most = kMostMarkDepthMm, .unit = "mm"},
+                   "how far from the surface into the material, and out of it; without: two steps"),
+            required("text", &Mark::text, {.leastCount = 1, .mostCount = 400},
                      "letters are written as capitals")
                 .when(isText),
             written("size", &Mark::sizeMm, {.least = 0.1, .most = kMostMarkMm, .unit = "mm"},

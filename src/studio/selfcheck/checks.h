@@ -67,5 +67,7 @@ void checkLight(Tally& tally);
 // Slices show the values that lie in them.
 void checkSlices(Tally& tally);
 void checkBricks(Tally& tally);
+// Colours of marks between their texels are those that are interpolated on the CPU, after each edit.
+void checkMarks(Tally& tally);
 
 } // namespace vs::studio

@@ -41,6 +41,7 @@ constexpr StageCheck kStageChecks[] = {
     {"light", checkLight},
     {"slices", checkSlices},
     {"bricks", checkBricks},
+    {"marks", checkMarks},
 };
 
 } // namespace

@@ -140,7 +140,8 @@ TEST_F(MarksTest, AreWhereThePenWas) {
             }
             EXPECT_GT(inside, 500) << "zoom " << view.camera.zoom << ", projection " << int(projection);
             // From near a pixel is a small part of a texel, a quarter of whose width edges may be off.
-            const double texelPixels = document.marks()->grid().texelMm / rays.pixelMm({0, 0, 0});
+            const double texelPixels =
+                document.marks()->grid().texelMm(document.volume().geometry) / rays.pixelMm({0, 0, 0});
             EXPECT_LE(wrong, texelPixels < 2 ? 2 : inside / 100)
                 << "azimuth " << view.camera.azimuthDegrees << ", zoom " << view.camera.zoom;
         }
@@ -150,15 +151,18 @@ TEST_F(MarksTest, AreWhereThePenWas) {
 TEST_F(MarksTest, StayOnTheMaterialWhateverIsDone) {
     Document document(test::testHead());
     const View skin = test::testCanvas({50, 255}).view;
-    const View brain = test::testCanvas({60, 140}).view;
     document.showView(skin);
     document.apply(lineOf({{170, 120}, {230, 120}}, skin, 5));
     const image::Image before = picture(document, skin);
     ASSERT_TRUE(isMarked(before, 200, 120));
-    // Another range shows what lies below, which nobody has marked.
-    document.apply(test::somePeel(6));
-    image::Image below = picture(document, skin);
-    EXPECT_FALSE(isMarked(below, 200, 110)) << "the layer below the peeled one";
+    // Another range shows what lies below, which nobody has marked; a little of one shows the same surface.
+    EXPECT_FALSE(isMarked(picture(document, test::testCanvas({60, 140}).view), 200, 120)) << "the brain";
+    EXPECT_TRUE(isMarked(picture(document, test::testCanvas({90, 255}).view), 200, 120));
+    Peel peel = test::somePeel(6);
+    peel.mask = test::ellipseAt(200, 120, 40, 30);
+    document.apply(peel);
+    EXPECT_FALSE(isMarked(picture(document, skin), 200, 120))
+        << "the layer below the one that was peeled off";
     document.apply(Undo{});
     // Through the mark: its other part stays beside the hole.
     Drill drill = test::drillOf(test::ellipseAt(185, 120, 8, 8), test::testCanvas());
@@ -169,8 +173,88 @@ TEST_F(MarksTest, StayOnTheMaterialWhateverIsDone) {
     EXPECT_TRUE(isMarked(drilled, 215, 120));
     document.apply(UnCut{});
     EXPECT_EQ(image::compare(picture(document, skin), before).max, 0);
-    document.showView(brain);
-    EXPECT_EQ(image::compare(picture(document, skin), before).max, 0);
+}
+
+// Where a mark was cut through, the section has it as deep as the ink goes.
+TEST_F(MarksTest, AreSeenOnCutFaces) {
+    Document document(ball());
+    const View view = viewOf(0, 1, render::Projection::Orthographic);
+    document.showView(view);
+    Mark area;
+    area.kind = Mark::Kind::Area;
+    area.sketch = test::ellipseAt(200, 150, 60, 60);
+    area.colour = {0.1, 0.2, 0.9};
+    area.depthMm = 6;
+    area.canvas = Canvas{view, kSize};
+    document.apply(area);
+    Clip clip;
+    clip.planes = {{document.volume().geometry.worldFromVoxel * glm::dvec4(43.5, 43.5, 43.5, 1), {0, 0, 1}}};
+    document.apply(clip);
+    // From above: the section's front rim is inked, its middle is not.
+    View above = view;
+    above.camera.elevationDegrees = 89;
+    const image::Image section = picture(document, above);
+    const auto rays = document.frame(kSize).rays;
+    const auto& geometry = document.volume().geometry;
+    int inked = 0;
+    for (int deep = 1; deep <= 12; ++deep) {
+        const glm::dvec3 voxel(43.5, 43.5 - kRadius + deep, 43.2);
+        const glm::dvec2 pixel = rays.project(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1)));
+        const bool is = isMarked(section, int(pixel.x), int(pixel.y));
+        EXPECT_TRUE(is || deep > 5) << deep << " mm below the surface";
+        EXPECT_FALSE(is && deep > 7) << deep << " mm below the surface";
+        inked += is ? 1 : 0;
+    }
+    EXPECT_GT(inked, 3);
+}
+
+// The scan's border is a surface too: a head that ends at its last slice. And pictures and exports agree.
+TEST_F(MarksTest, AreWholeAtTheGridsBorders) {
+    volume::Volume box =
+        phantom::makePhantom({24, 24, 24}, volume::ScalarType::UInt8, [](glm::dvec3) { return 200.0; });
+    for (const double azimuth : {0.0, 90.0, 180.0, 270.0}) {
+        Document document(box);
+        View view = viewOf(azimuth, 1, render::Projection::Orthographic);
+        view.camera.elevationDegrees = 0;
+        document.showView(view);
+        Mark area;
+        area.kind = Mark::Kind::Area;
+        area.sketch = test::ellipseAt(200, 150, 40, 40);
+        area.colour = {0, 0, 1};
+        area.canvas = Canvas{view, kSize};
+        document.apply(area);
+        const image::Image marked = picture(document, view);
+        const std::uint8_t* p = &marked.rgba[4 * (150 * 400 + 200)];
+        EXPECT_LT(int(p[0]), 40) << "azimuth " << azimuth << ": all of the colour is there";
+        EXPECT_GT(int(p[2]), 80);
+        const std::vector<glm::vec2> middle{{200, 150}};
+        const glm::dvec3 voxel(pick(document, view, middle).front().voxel);
+        EXPECT_NEAR(document.marks()->colourAt(voxel).w, 1, 1e-6);
+    }
+}
+
+// Ink has the width that was asked for where the voxels lie now.
+TEST_F(MarksTest, FollowACorrectedGeometry) {
+    Document document(test::testHead());
+    const View view = test::testCanvas().view;
+    document.showView(view);
+    document.apply(lineOf({{170, 120}, {230, 120}}, view, 5));
+    CorrectGeometry correct;
+    correct.spacing = glm::dvec3(10, 10, 12);
+    document.apply(correct);
+    document.apply(RemoveMarks{});
+    document.apply(lineOf({{170, 150}, {230, 150}}, view, 50));
+    const image::Image fresh = picture(document, view);
+    document.apply(Undo{});
+    document.apply(Undo{});
+    document.apply(lineOf({{170, 150}, {230, 150}}, view, 50)); // on the grid of the mark that was there
+    const image::Image beside = picture(document, view);
+    for (int y = 140; y < 165; ++y) {
+        for (int x = 175; x < 225; ++x) {
+            EXPECT_EQ(isMarked(fresh, x, y), isMarked(beside, x, y)) << x << ", " << y;
+        }
+    }
+    EXPECT_TRUE(isMarked(beside, 200, 150));
 }
 
 TEST_F(MarksTest, AreUndoneToTheByteAndRedone) {
@@ -317,6 +401,20 @@ TEST_F(MarksTest, AreSeenInModesWithSurfacesAndOnSlices) {
     const image::Image clean = picture(document, view);
     document.apply(lineOf({{170, 130}, {230, 130}}, view, 8));
     EXPECT_GT(image::compare(picture(document, view), clean).max, 40);
+    // And a slice through the first line, which lies where its middle was picked.
+    view.mode = render::Mode::Surface;
+    const std::vector<glm::vec2> middle{{200, 120}};
+    const glm::dvec3 voxel(pick(document, view, middle).front().voxel);
+    render::SliceView slice;
+    slice.index = int(std::lround(voxel.z));
+    slice.size = kSize;
+    render::SliceRenderer slices;
+    slices.render(document.slice(slice));
+    const image::Image marked = slices.readPicture();
+    document.apply(Undo{});
+    document.apply(Undo{});
+    slices.render(document.slice(slice));
+    EXPECT_GT(image::compare(marked, slices.readPicture()).max, 40);
 }
 
 TEST_F(MarksTest, NothingMarkedTakesNoMemory) {

@@ -47,7 +47,7 @@ TEST(MarkLayerTest, AnEraserLeavesNothingOrLessOfIt) {
 // pressed the harder time; in whatever pieces it is shown meanwhile.
 TEST(MarkLayerTest, AStrokeCountsOnceWhereverItWent) {
     test::checkProperty(30, [] {
-        const field::MarkGrid grid{{20, 20, 20}, {2, 2, 2}, 0.5};
+        const field::MarkGrid grid{{20, 20, 20}, {2, 2, 2}};
         MarkLayer earlier(grid);
         for (int i = 0; i < 200; ++i) {
             earlier.cover({*test::below(40), *test::below(40), *test::below(4)}, 1, 1);

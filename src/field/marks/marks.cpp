@@ -93,10 +93,10 @@ std::vector<std::array<std::uint8_t, 4>> coloursOfVoxels(const Marks& marks) {
     std::vector<std::array<std::uint8_t, 4>> colours(std::size_t(n.x) * std::size_t(n.y) * std::size_t(n.z));
     const double perVoxel = double(grid.perVoxel.x) * grid.perVoxel.y * grid.perVoxel.z;
     std::map<std::size_t, glm::dvec4> sums; // of voxels with marks: colours by their opacity, and that
-    for (const auto& [place, brick] : marks.bricks()) {
-        const glm::ivec3 first = grid.brickAt(place) * kMarkBrick;
+    for (const Marks::Entry& entry : marks.bricks()) {
+        const glm::ivec3 first = grid.brickAt(entry.first) * kMarkBrick;
         forEachVoxel({glm::ivec3(0), glm::ivec3(kMarkBrick)}, [&](glm::ivec3 t, std::size_t i) {
-            const MarkTexel texel = brick->at(i);
+            const MarkTexel texel = entry.second->at(i);
             const glm::ivec3 voxel = (first + t) / grid.perVoxel;
             const double inside = std::clamp((texel.coverage / 255.0 - 0.5) * kMarkRamp + 0.5, 0.0, 1.0);
             if (inside > 0 && glm::all(glm::lessThan(voxel, n))) {

@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <map>
 #include <string_view>
+#include <utility>
 
 namespace vs::marking {
 
 namespace {
 
-constexpr double kHeight = 8; // of a capital, in the units of kLetters
-constexpr double kWidth = 6;
-constexpr double kAdvance = 8.6;
+constexpr double kHeight = 8;    // of a capital, in the units of kLetters
+constexpr double kBetween = 2.6; // letters
+constexpr double kSpace = 3;     // as wide as a blank
 
 // The lines of each letter: places as two digits, to the right and up, lines divided by bars; those that
 // begin with ~ are control polygons of curves.
@@ -129,24 +130,43 @@ PenLines linesOf(std::string_view drawn) {
     return lines;
 }
 
+// From where to where lines reach, to the right.
+std::pair<double, double> extentOf(const PenLines& lines) {
+    std::pair<double, double> extent(1e9, -1e9);
+    for (const auto& line : lines) {
+        for (const glm::dvec2& place : line) {
+            extent = {std::min(extent.first, place.x), std::max(extent.second, place.x)};
+        }
+    }
+    return lines.empty() ? std::pair(0.0, kSpace) : extent;
+}
+
 } // namespace
 
 PenLines penLetters(const std::string& utf8) {
     PenLines all;
-    const auto characters = charactersOf(utf8);
-    const double width = kAdvance * double(characters.size()) - (kAdvance - kWidth);
-    double left = -0.5 * width;
-    for (const std::string& character : characters) {
+    double right = -kBetween; // of what is written so far
+    for (const std::string& character : charactersOf(utf8)) {
         const auto letter = letters().find(character);
-        if (letter != letters().end()) {
-            for (auto& line : linesOf(letter->second)) {
-                for (glm::dvec2& place : line) {
-                    place = glm::dvec2(left + place.x, 0.5 * kHeight - place.y) / kHeight;
-                }
-                all.push_back(std::move(line));
-            }
+        if (letter == letters().end()) {
+            continue;
         }
-        left += kAdvance;
+        PenLines lines = linesOf(letter->second);
+        const auto [from, to] = extentOf(lines);
+        const double left = right + kBetween - from;
+        right = left + to;
+        for (auto& line : lines) {
+            for (glm::dvec2& place : line) {
+                place.x += left;
+            }
+            all.push_back(std::move(line));
+        }
+    }
+    const glm::dvec2 middle(0.5 * right, 0.5 * kHeight);
+    for (auto& line : all) {
+        for (glm::dvec2& place : line) {
+            place = glm::dvec2(place.x - middle.x, middle.y - place.y) / kHeight;
+        }
     }
     return all;
 }

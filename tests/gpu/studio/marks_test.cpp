@@ -111,8 +111,10 @@ TEST_F(MarksTest, AreWhereThePenWas) {
               viewOf(2, projection == render::Projection::Perspective ? 5 : 9, projection)}) {
             const image::Image marked = picture(document, view);
             std::vector<glm::vec2> pixels;
-            for (int i = 0; i < kSize.x * kSize.y; ++i) {
-                pixels.emplace_back(i % kSize.x + 0.5, i / kSize.x + 0.5);
+            for (int y = 0; y < kSize.y; ++y) {
+                for (int x = 0; x < kSize.x; ++x) {
+                    pixels.emplace_back(x + 0.5, y + 0.5);
+                }
             }
             const auto surface = pick(document, view, pixels);
             const auto rays = document.frame(kSize).rays;
@@ -223,7 +225,7 @@ TEST_F(MarksTest, AreWholeAtTheGridsBorders) {
         area.canvas = Canvas{view, kSize};
         document.apply(area);
         const image::Image marked = picture(document, view);
-        const std::uint8_t* p = &marked.rgba[4 * (150 * 400 + 200)];
+        const std::uint8_t* p = &marked.rgba[std::size_t(4) * (150 * 400 + 200)];
         EXPECT_LT(int(p[0]), 40) << "azimuth " << azimuth << ": all of the colour is there";
         EXPECT_GT(int(p[2]), 80);
         const std::vector<glm::vec2> middle{{200, 150}};

@@ -55,7 +55,7 @@ TEST_F(MarksJsonTest, ComeBackAsTheyWereAndAreWrittenOnce) {
     const auto marks =
         std::make_shared<const field::Marks>(field::Marks({kDims, {2, 2, 4}}, {{3, brick}, {7, brick}}));
     const auto write = [&](StateWriter& writer) {
-        const auto said = stored(writer, marks);
+        auto said = stored(writer, marks);
         EXPECT_EQ(stored(writer, marks), said);
         return said;
     };

@@ -149,7 +149,8 @@ inline Operation AnyOperation::output() const {
     case 1:
         return studio::SaveLabels{below(2) == 0 ? "labels.nrrd" : "labels.nii.gz"};
     case 2:
-        return studio::SaveSculpture{"sculpture.nrrd"};
+        return below(2) == 0 ? Operation(studio::SaveSculpture{"sculpture.nrrd"})
+                             : Operation(studio::SaveMarks{"marks.nrrd"});
     default: {
         studio::SaveMovie movie{"movie", {32, 24}, 10, 1};
         studio::Shot shot;

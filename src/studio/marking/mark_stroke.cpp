@@ -148,14 +148,14 @@ MarkStroke::Paths MarkStroke::dashed(const Paths& paths) {
             const double length = glm::distance(a.world, b.world);
             const double round = std::min(a.radiusMm, 0.499 * dash);
             double at = 0; // along this stretch
-            while (at < length || length == 0) {
+            while (at < length) {
                 const double place = std::fmod(travelledMm_ + at, 2 * dash);
                 const bool isInDash = place >= round && place < dash - round;
                 const double next = place < round ? round : isInDash ? dash - round : 2 * dash + round;
                 const double end = std::min(length, at + std::max(next - place, 1e-6 * dash));
                 if (isInDash) {
                     const auto pointAt = [&](double t) {
-                        const double part = length > 0 ? t / length : 0;
+                        const double part = t / length;
                         return marking::PathPoint{glm::mix(a.world, b.world, part),
                                                   glm::mix(a.radiusMm, b.radiusMm, part),
                                                   glm::mix(a.opacity, b.opacity, part)};
@@ -167,9 +167,6 @@ MarkStroke::Paths MarkStroke::dashed(const Paths& paths) {
                 }
                 isOn = isInDash;
                 at = end;
-                if (length == 0) {
-                    break;
-                }
             }
             travelledMm_ += length;
         }
@@ -184,8 +181,7 @@ void MarkStroke::layPaths(const Paths& paths) {
     glm::dvec2 hi(-most);
     for (const auto& path : paths) {
         for (const marking::PathPoint& point : path) {
-            const double texel = texelMm_;
-            const double reach = point.radiusMm + rim.depthMm + field::kMarkRamp * texel;
+            const double reach = point.radiusMm + rim.depthMm + field::kMarkRamp * texelMm_;
             const double pixels = reach / std::max(rays_.pixelMm(point.world), 1e-9) + 2;
             const glm::dvec2 pixel = rays_.project(point.world);
             lo = glm::min(lo, pixel - pixels);

@@ -28,7 +28,7 @@ MODULES = {
     "studio": ["phantom", "reference", "sculpt", "segment", "marking", "render", "mesh"],
 }
 ROOMS = {
-    "src/field": {"bricks": [], "marks": []},
+    "src/field": {"bricks": [], "sparse": [], "fill": ["sparse"], "marks": ["sparse"]},
     "src/volume": {"grid": [], "measures": ["grid"], "io": ["grid"], "dicom": ["io"], "store": ["io"], "tiff": ["io"],
                    "reading": ["dicom", "store", "tiff"]},
     "src/sculpt": {"mask": [], "path": [], "radiation": ["mask", "path"], "sculpture": ["radiation"],
@@ -37,7 +37,8 @@ ROOMS = {
     "src/render": {"colours": [], "camera": [], "space": ["colours"], "marks": ["camera", "colours"],
                    "slices": ["colours"], "rays": ["space", "marks"]},
     "src/studio": {"operations": [], "state": ["operations"], "strokes": ["state"],
-                   "editing": ["strokes"], "marking": ["editing"], "document": ["marking"],
+                   "editing": ["strokes"], "marking": ["editing"], "filling": ["editing"],
+                   "document": ["marking", "filling"],
                    "exports": ["document"], "json": ["document"], "cases": ["json"], "selfcheck": []},
     "apps/cli": {"reports": [], "arguments": ["reports"], "bench": [],
                  "sessions": ["arguments"],

@@ -1262,6 +1262,50 @@
         <source>marks</source>
         <translation>Markierungen schreiben</translation>
     </message>
+    <message>
+        <source>nothing was filled: no surface is seen there</source>
+        <translation>nichts gefüllt: dort ist keine Oberfläche zu sehen</translation>
+    </message>
+    <message>
+        <source>nothing was taken away: nothing is filled there</source>
+        <translation>nichts weggenommen: dort ist nichts gefüllt</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>Nummer %1</translation>
+    </message>
+    <message>
+        <source>material %1</source>
+        <translation>Material %1</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>fill</source>
+        <translation>füllen</translation>
+    </message>
+    <message>
+        <source>fill hole</source>
+        <translation>Loch füllen</translation>
+    </message>
+    <message>
+        <source>unfill</source>
+        <translation>Füllung wegnehmen</translation>
+    </message>
+    <message>
+        <source>remove fill</source>
+        <translation>Füllung entfernen</translation>
+    </message>
+    <message>
+        <source>filled</source>
+        <translation>Gefülltes</translation>
+    </message>
+    <message>
+        <source>material surface</source>
+        <translation>Oberfläche des Materials</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop</name>
@@ -2753,6 +2797,26 @@
         <source>Click the first corner to colour it.</source>
         <translation>Ein Klick auf die erste Ecke färbt es ein.</translation>
     </message>
+    <message>
+        <source>Take away what is shown (Enter)</source>
+        <translation>Das Gezeigte wegnehmen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Fill what is shown (Enter)</source>
+        <translation>Das Gezeigte füllen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Let go to fill it.</source>
+        <translation>Loslassen füllt es.</translation>
+    </message>
+    <message>
+        <source>Enter, a double click or a click on the first corner fills it.</source>
+        <translation>Eingabe, ein Doppelklick oder ein Klick auf die erste Ecke füllt es.</translation>
+    </message>
+    <message>
+        <source>Click the first corner to fill it.</source>
+        <translation>Klick auf die erste Ecke füllt es.</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::BlockDialog</name>
@@ -3178,6 +3242,94 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>Only</source>
         <translation>Nur dies</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Adds material, or takes it away; the scan stays as it is</source>
+        <translation>Fügt Material hinzu oder nimmt es weg; der Scan bleibt, wie er ist</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllen</translation>
+    </message>
+    <message>
+        <source>Adds material (R)</source>
+        <translation>Fügt Material hinzu (R)</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Wegnehmen</translation>
+    </message>
+    <message>
+        <source>Takes material away; the scan stays (R)</source>
+        <translation>Nimmt Material weg; der Scan bleibt (R)</translation>
+    </message>
+    <message>
+        <source>Material to fill with</source>
+        <translation>Material, mit dem gefüllt wird</translation>
+    </message>
+    <message>
+        <source>Colour of the material</source>
+        <translation>Farbe des Materials</translation>
+    </message>
+    <message>
+        <source>Name of the material</source>
+        <translation>Name des Materials</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Intensity of the material, as the scan&apos;s values are</source>
+        <translation>Intensität des Materials, wie die Werte des Scans</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>The next click on the picture takes the scan&apos;s value there</source>
+        <translation>Der nächste Klick auf das Bild nimmt den Wert des Scans dort</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>Intensität</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>Sichtbar</translation>
+    </message>
+    <message>
+        <source>Whether this material is seen</source>
+        <translation>Ob dieses Material zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Takes all of this material away</source>
+        <translation>Nimmt alles von diesem Material weg</translation>
+    </message>
+    <message>
+        <source>New material</source>
+        <translation>Neues Material</translation>
+    </message>
+    <message>
+        <source>Nothing is seen there whose value could be taken</source>
+        <translation>Dort ist nichts zu sehen, dessen Wert man nehmen könnte</translation>
+    </message>
+    <message>
+        <source>Click where the scan has the value that the material should have.</source>
+        <translation>Dorthin klicken, wo der Scan den Wert hat, den das Material haben soll.</translation>
+    </message>
+    <message>
+        <source>It takes material away, the scan stays. R fills.</source>
+        <translation>Es nimmt Material weg, der Scan bleibt. R füllt.</translation>
+    </message>
+    <message>
+        <source>It adds material, outward from the surface. R takes it away.</source>
+        <translation>Es fügt Material hinzu, von der Oberfläche nach außen. R nimmt es weg.</translation>
     </message>
 </context>
 <context>
@@ -6369,6 +6521,14 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Draw around what should go.</source>
         <translation>Um das zeichnen, was weg soll.</translation>
     </message>
+    <message>
+        <source>Draw around the material that should go.</source>
+        <translation>Um das Material zeichnen, das weg soll.</translation>
+    </message>
+    <message>
+        <source>Draw around a hole, on the surface beside it: it is filled up to that.</source>
+        <translation>Um ein Loch zeichnen, auf der Oberfläche daneben: Es wird bis zu dieser gefüllt.</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::ScrubBar</name>
@@ -6955,6 +7115,14 @@ Tab: die nächste Form; Pfeiltasten bewegen sie; Entf; Eingabe: ihre Farbe; Strg
         <source>Click the corners of the way that the shape goes. Esc clears it for a new shape.</source>
         <translation>Die Ecken des Wegs anklicken, den die Form nimmt. Esc verwirft sie für eine neue Form.</translation>
     </message>
+    <message>
+        <source>Enter takes material away from what is shown. </source>
+        <translation>Eingabe nimmt Material aus dem Gezeigten weg. </translation>
+    </message>
+    <message>
+        <source>Enter fills what is shown. </source>
+        <translation>Eingabe füllt das Gezeigte. </translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::ThumbnailKeeper</name>
@@ -6988,6 +7156,14 @@ Tab: die nächste Form; Pfeiltasten bewegen sie; Entf; Eingabe: ihre Farbe; Strg
     <message>
         <source>Play</source>
         <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>%1: take material away</source>
+        <translation>%1: Material wegnehmen</translation>
+    </message>
+    <message>
+        <source>%1: fill</source>
+        <translation>%1: füllen</translation>
     </message>
 </context>
 <context>

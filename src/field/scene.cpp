@@ -61,7 +61,16 @@ void SceneBinding::bind(const Scene& scene) {
     if (scene.marks != nullptr) {
         scene.marks->bind(data.geometry);
     }
+    if (scene.fill != nullptr) {
+        scene.fill->bind(scene.materials);
+    }
     (scene.segmentLabels != nullptr ? *scene.segmentLabels : segment1_).bindTexture(kSegmentLabelsTexture);
+}
+
+void addFill(const Scene& scene, gl::Defines& defines) {
+    if (scene.fill != nullptr) {
+        defines.emplace_back("FILLED", areAllSeen(scene.materials) ? "1" : "2");
+    }
 }
 
 } // namespace vs::field

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "field/field.h"
+#include "field/fill/fill_texture.h"
 #include "field/marks/mark_texture.h"
 #include "gl/block_layout.h"
 #include "gl/buffer.h"
+#include "gl/shader_source.h"
 
 #include <array>
 
@@ -64,6 +66,8 @@ struct Scene {
     const gl::Texture* apartTiles = nullptr; // R8, linear
     const gl::Texture* apartPages = nullptr; // R32UI, a texel for each tile
     const MarkTexture* marks = nullptr;      // colours laid on the material; null: none
+    const FillTexture* fill = nullptr;       // material that was added; null: none
+    ShownMaterials materials = {};           // and what it is
     Range displayedRange;
     // Values above the displayed range are visible too, and count as its upper end (MIP, X-ray).
     bool showsAbove = false;
@@ -77,9 +81,10 @@ struct Scene {
 
 // Binds a scene: uniform block 0, textures 0 (data), 1 (sculpture), 2 (segmentation), 13 (labels), 6 (the
 // data's quads, where it has them), 15 and 12 (the same of smoothed values), 7 and 15 (a segment alone);
-// texture 16 and uniform block 5 (marks, where there are any: MARKS, marks.glsl).
-// Shaders include "field/shaders/scene.glsl" and call sampleScene(); with QUADS defined they sample the
-// quads. Those units and uniform block 0 are taken while it is bound.
+// texture 16 and uniform block 5 (marks, where there are any: MARKS, marks.glsl), texture 17 and uniform
+// block 6 (material, where there is any: addFill(), fill.glsl). Shaders include "field/shaders/scene.glsl"
+// and call sampleScene(); with QUADS defined they sample the quads. Those units and uniform block 0 are taken
+// while it is bound.
 class SceneBinding {
 public:
     SceneBinding();
@@ -90,5 +95,8 @@ private:
     gl::Texture empty_;    // stands in for what a scene does not have: one texel of zero
     gl::Texture segment1_; // the labels of a scene without: one texel of 1
 };
+
+// Programs that show the scene have FILLED defined where it has a fill.
+void addFill(const Scene& scene, gl::Defines& defines);
 
 } // namespace vs::field

@@ -146,6 +146,58 @@ void benchMarkedFrame(const BenchSettings& settings, studio::Document& document,
     }
 }
 
+void addMaterial(studio::Document& document) {
+    studio::SetMaterial material;
+    material.number = int(document.facts()->materials->size()) + 1;
+    document.apply(material);
+}
+
+// As benchDrill(), outward.
+void benchFill(const BenchSettings& settings, studio::Document& document, glm::dvec2 place,
+               std::vector<Measurement>& results) {
+    addMaterial(document);
+    const Work stamps{
+        .run =
+            [&](int run) {
+                document.stroke().drawAt({place + glm::dvec2(kStampWay * run, 0), 1.0, {}});
+            },
+        .prepare =
+            [&](int run) {
+                if (run == 0) {
+                    if (document.facts()->isStrokeOpen()) {
+                        document.stroke().discard();
+                    }
+                    studio::Drill drill;
+                    drill.mask = circle(place, kMaskRadius);
+                    drill.canvas = studio::Canvas{document.view(), settings.size};
+                    document.stroke().begin(studio::Fill{1, drill});
+                }
+            },
+    };
+    results.push_back(measure("edit", "fill stamp", settings.frames, stamps));
+    document.stroke().discard();
+    document.apply(studio::Undo{});
+}
+
+// The frame with material in it: an area in the middle, which lies on what is seen.
+void benchFilledFrame(const BenchSettings& settings, studio::Document& document, glm::dvec2 place,
+                      std::vector<Measurement>& results) {
+    render::RayCaster caster;
+    const Work frame{.run = [&](int) {
+        caster.render(document.frame(settings.size));
+        caster.picture();
+    }};
+    addMaterial(document);
+    studio::Drill drill;
+    drill.mask = circle(place, double(settings.size.y) / 8);
+    drill.depthMax = 6;
+    drill.canvas = studio::Canvas{document.view(), settings.size};
+    document.apply(studio::Fill{1, drill});
+    results.push_back(measure("edit", "frame with fill", settings.frames, frame));
+    document.apply(studio::Undo{});
+    document.apply(studio::Undo{});
+}
+
 } // namespace
 
 studio::Sketch circle(glm::dvec2 centre, double radius) {
@@ -231,6 +283,8 @@ bool benchEdits(const BenchSettings& settings, studio::Document& document,
     benchPeel(settings, document, *place, results);
     benchMark(settings, document, *place, results);
     benchMarkedFrame(settings, document, *place, results);
+    benchFill(settings, document, *place, results);
+    benchFilledFrame(settings, document, *place, results);
     const Work growth{
         .run = [&](int) { grow(document); },
         .prepare = [&](int) { seed(document, settings.size, *place); },

@@ -3,6 +3,7 @@
 
 #include "model/segments/segment_controller.h"
 #include "model/studio/studio_controller.h"
+#include "panels/material_rows.h"
 #include "parts/panel_parts.h"
 #include "tools/kinds/cut_tool.h"
 
@@ -11,6 +12,7 @@
 #include <QLabel>
 #include <QSlider>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -20,19 +22,36 @@ namespace {
 
 using Treatment = studio::SegmentInfo::Treatment;
 
-// The scan or the segment at work; one choice for all tools that can do both.
+// The scan, the segment at work or material; one choice for all tools that can do more than the first.
 void addTarget(QFormLayout* form, CutTool& tool, StudioController& studio, const QString& prefix) {
+    using Target = Hand::Target;
     const QByteArray scan = (prefix + "OnScan").toLatin1();
     const QByteArray segment = (prefix + "OnSegment").toLatin1();
-    auto* target = new ChoiceRow(
-        {{scan.constData(), CutTool::tr("Scan"), CutTool::tr("Cuts the scan, or puts back what was cut")},
-         {segment.constData(), CutTool::tr("Segment"),
-          CutTool::tr("Takes away from the segment at work, or adds to it; the scan stays as it is")}},
-        tool.actsOnSegment() ? 1 : 0);
+    const QByteArray material = (prefix + "OnMaterial").toLatin1();
+    std::vector<Target> targets{Target::Scan};
+    std::vector<ChoiceRow::Choice> choices{
+        {scan.constData(), CutTool::tr("Scan"), CutTool::tr("Cuts the scan, or puts back what was cut")}};
+    if (tool.canActOnSegment()) {
+        targets.push_back(Target::Segment);
+        choices.push_back(
+            {segment.constData(), CutTool::tr("Segment"),
+             CutTool::tr("Takes away from the segment at work, or adds to it; the scan stays as it is")});
+    }
+    if (tool.canActOnMaterial()) {
+        targets.push_back(Target::Material);
+        choices.push_back({material.constData(), CutTool::tr("Material"),
+                           CutTool::tr("Adds material, or takes it away; the scan stays as it is")});
+    }
+    const auto chosen = [&tool, &studio, targets] {
+        const bool acts = tool.actsOnSegment() || tool.actsOnMaterial();
+        const auto at = std::find(targets.begin(), targets.end(), studio.hand().target());
+        return acts ? int(at - targets.begin()) : 0;
+    };
+    auto* target = new ChoiceRow(choices, chosen());
     QObject::connect(target, &ChoiceRow::chosen, &studio,
-                     [&studio](int n) { studio.hand().setBrushesSegment(n == 1); });
+                     [&studio, targets](int n) { studio.hand().setTarget(targets.at(std::size_t(n))); });
     QObject::connect(&studio.host(), &DocumentHost::changed, target,
-                     [&tool, target] { target->choose(tool.actsOnSegment() ? 1 : 0); });
+                     [chosen, target] { target->choose(chosen()); });
     form->addRow(CutTool::tr("Acts on"), target);
 }
 
@@ -41,6 +60,9 @@ void nameSigns(ChoiceRow& sign, const CutTool& tool) {
     if (tool.actsOnSegment()) {
         sign.rename(0, CutTool::tr("Remove"), CutTool::tr("Takes away from the segment at work (R)"));
         sign.rename(1, CutTool::tr("Add"), CutTool::tr("Adds to it what is in the displayed range (R)"));
+    } else if (tool.actsOnMaterial()) {
+        sign.rename(0, CutTool::tr("Fill"), CutTool::tr("Adds material (R)"));
+        sign.rename(1, CutTool::tr("Take away"), CutTool::tr("Takes material away; the scan stays (R)"));
     } else {
         sign.rename(0, CutTool::tr("Cut"), CutTool::tr("Takes away (R)"));
         sign.rename(1, CutTool::tr("Restore"),
@@ -116,7 +138,7 @@ void addLimits(QFormLayout* form, StudioTool& tool, StudioController& studio, co
 }
 
 void addCutOrRestore(QFormLayout* form, CutTool& tool, StudioController& studio, const QString& prefix) {
-    if (tool.canActOnSegment()) {
+    if (tool.canActOnSegment() || tool.canActOnMaterial()) {
         addTarget(form, tool, studio, prefix);
     }
     const QByteArray cut = (prefix + "Cuts").toLatin1();
@@ -130,6 +152,9 @@ void addCutOrRestore(QFormLayout* form, CutTool& tool, StudioController& studio,
         nameSigns(*sign, tool);
     });
     form->addRow(sign);
+    if (tool.canActOnMaterial()) {
+        addMaterial(form, tool, studio, prefix);
+    }
     addLimits(form, tool, studio, prefix);
 }
 

@@ -172,8 +172,10 @@ QWidget* makeSweepPage(StudioController& studio, ToolBox& tools) {
         form->setRowVisible(length, isHelix || now == SweepTool::Way::Line);
         form->setRowVisible(radius, isHelix);
         form->setRowVisible(turns, isHelix);
-        apply->setText(tool.restores() ? tr("Restore what is shown (Enter)")
-                                       : tr("Cut what is shown (Enter)"));
+        apply->setText(tool.actsOnMaterial() ? (tool.isReversed() ? tr("Take away what is shown (Enter)")
+                                                                  : tr("Fill what is shown (Enter)"))
+                       : tool.restores()     ? tr("Restore what is shown (Enter)")
+                                             : tr("Cut what is shown (Enter)"));
         apply->setEnabled(tool.canAccept());
     };
     QObject::connect(&tool, &Tool::overlayChanged, apply, show);

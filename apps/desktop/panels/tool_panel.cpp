@@ -66,11 +66,13 @@ void ToolPanel::refresh() {
     const auto* cutTool = qobject_cast<CutTool*>(&studio_.hand().tool());
     const bool restores = cutTool != nullptr && cutTool->restores();
     const bool isOnSegment = cutTool != nullptr && cutTool->actsOnSegment();
-    title_->setText(restores ? tr("%1: restore").arg(page.title)
-                    : isOnSegment
-                        ? (cutTool->adds() ? tr("%1: add to the segment") : tr("%1: remove from the segment"))
-                              .arg(page.title)
-                        : page.title);
+    const bool isOnMaterial = cutTool != nullptr && cutTool->actsOnMaterial();
+    title_->setText(
+        isOnMaterial ? (cutTool->isReversed() ? tr("%1: take material away") : tr("%1: fill")).arg(page.title)
+        : restores   ? tr("%1: restore").arg(page.title)
+        : isOnSegment ? (cutTool->adds() ? tr("%1: add to the segment") : tr("%1: remove from the segment"))
+                            .arg(page.title)
+                      : page.title);
     if (title_->property("restores").toBool() != restores) {
         title_->setProperty("restores", restores);
         title_->style()->unpolish(title_);

@@ -64,6 +64,7 @@ void ColourButton::ask() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     emit asked();
     connect(dialog, &QColorDialog::currentColorChanged, this, &ColourButton::tried);
+    connect(dialog, &QColorDialog::colorSelected, this, &ColourButton::kept);
     connect(dialog, &QDialog::rejected, this, &ColourButton::dropped);
     dialog->open();
 }

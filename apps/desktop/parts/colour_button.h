@@ -20,6 +20,7 @@ signals:
     void asked();                     // a dialog opens: one step begins
     void tried(const QColor& colour); // now, perhaps to be taken back
     void dropped();                   // everything tried since asked() was not meant
+    void kept(const QColor& colour);  // this one was
 
 protected:
     void changeEvent(QEvent* event) override;

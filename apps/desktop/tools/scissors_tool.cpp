@@ -10,9 +10,15 @@ QString ScissorsTool::hint() const { return withTarget(doing()); }
 
 QString ScissorsTool::doing() const {
     if (isSketching()) {
-        return sketchHint(pad(), actsOnSegment() ? (adds() ? SketchEnd::Add : SketchEnd::Remove)
-                                 : restores()    ? SketchEnd::Restore
-                                                 : SketchEnd::Cut);
+        return sketchHint(pad(), actsOnMaterial()  ? (isReversed() ? SketchEnd::Remove : SketchEnd::Fill)
+                                 : actsOnSegment() ? (adds() ? SketchEnd::Add : SketchEnd::Remove)
+                                 : restores()      ? SketchEnd::Restore
+                                                   : SketchEnd::Cut);
+    }
+    if (actsOnMaterial()) {
+        return drawHint(isReversed()
+                            ? tr("Draw around the material that should go.")
+                            : tr("Draw around a hole, on the surface beside it: it is filled up to that."));
     }
     if (actsOnSegment()) {
         return drawHint(cutsOutside_ ? tr("Draw around a region: the scissors take everything outside it.")
@@ -48,10 +54,19 @@ void ScissorsTool::setDepth(std::optional<double> steps) {
     tell();
 }
 
+void ScissorsTool::press(const Pen& pen) {
+    if (!picksValue(pen)) {
+        SketchTool::press(pen);
+    }
+}
+
 void ScissorsTool::takeSketch() {
+    if (!studio_.editor().prepareMaterial()) {
+        return;
+    }
     studio::Scissors scissors;
     scissors.outline = sketch();
-    scissors.cutsOutside = cutsOutside_;
+    scissors.cutsOutside = cutsOutside_ && !actsOnMaterial();
     scissors.depth = depth_;
     scissors.radius = radius();
     scissors.restores = restores();

@@ -18,6 +18,8 @@ public:
     [[nodiscard]] QString name() const override { return "scissors"; }
     [[nodiscard]] QString hint() const override;
     [[nodiscard]] bool canActOnSegment() const override { return true; }
+    [[nodiscard]] bool canActOnMaterial() const override { return true; }
+    void press(const Pen& pen) override;
     [[nodiscard]] Overlays overlays() const override;
 
     [[nodiscard]] bool cutsOutside() const { return cutsOutside_; }
@@ -28,6 +30,7 @@ public:
 
 protected:
     void takeSketch() override;
+    [[nodiscard]] bool saysWhatItFills() const override { return false; }
 
 private:
     [[nodiscard]] QString doing() const; // the hint, without what it works on

@@ -31,13 +31,17 @@ QString SweepTool::hint() const {
     case State::DrawingWay:
         return settings_.line != Line::FreeHand
                    ? tr("Click the next corner. Enter or a double click ends the way, Esc drops it.")
-               : !settings_.cutsAtPenUp ? tr("Let go where the way ends. Esc drops it.")
+               : !settings_.cutsAtPenUp || actsOnMaterial() ? tr("Let go where the way ends. Esc drops it.")
                : restores() ? tr("Let go where the way ends: what it covers is put back. Esc drops it.")
                             : tr("Let go where the way ends: what it covers is cut. Esc drops it.");
     case State::Ready:
         break;
     }
-    const QString what = restores() ? tr("Enter restores what is shown. ") : tr("Enter cuts what is shown. ");
+    const QString what = actsOnMaterial()
+                             ? (isReversed() ? tr("Enter takes material away from what is shown. ")
+                                             : tr("Enter fills what is shown. "))
+                         : restores() ? tr("Enter restores what is shown. ")
+                                      : tr("Enter cuts what is shown. ");
     return what + (isDrawn() ? tr("Draw again for another way. Esc drops it.")
                              : tr("Draw again for another shape. Esc drops it."));
 }
@@ -103,6 +107,9 @@ void SweepTool::set(const Settings& settings) {
 }
 
 void SweepTool::press(const Pen& pen) {
+    if (picksValue(pen)) {
+        return;
+    }
     if (state_ != State::Empty && isDrawn()) {
         if (state_ != State::DrawingWay) { // else the next corner
             const bool isByHand = settings_.line == Line::FreeHand;
@@ -226,7 +233,10 @@ bool SweepTool::accept() {
     sweep_.reset();
     way_.clear();
     setState(State::HasMask); // for a further way
-    studio_.editor().apply(sweep);
+    if (!studio_.editor().prepareMaterial()) {
+        return true;
+    }
+    studio_.editor().cut(sweep);
     if (!isDrawn()) {
         abandon(); // the same once more would cut nothing
     }

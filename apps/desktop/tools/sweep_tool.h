@@ -39,6 +39,7 @@ public:
     explicit SweepTool(StudioController& studio);
 
     [[nodiscard]] QString name() const override { return "sweep"; }
+    [[nodiscard]] bool canActOnMaterial() const override { return true; }
     [[nodiscard]] QString hint() const override;
     [[nodiscard]] Overlays overlays() const override;
     void press(const Pen& pen) override;

@@ -3,14 +3,12 @@
 
 #include "base/log.h"
 #include "field/shaders/bindings.h"
-#include "gl/limits.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <set>
-#include <span>
 #include <utility>
 
 namespace vs::field {
@@ -23,7 +21,6 @@ constexpr int kSide = kMarkBrick + 1;
 constexpr std::size_t kColourWords = std::size_t(kSide) * kSide * kSide;
 constexpr std::size_t kQuadWords = std::size_t(kMarkBrick) * kMarkBrick * kSide;
 constexpr std::size_t kSlotWords = kColourWords + kQuadWords;
-constexpr std::size_t kFirstSlots = 16;
 
 // A brick and the bricks behind it along the axes, by the bits of their place: 1 x, 2 y, 4 z.
 using Around = std::array<const MarkBrick*, 8>;
@@ -68,11 +65,7 @@ std::size_t pagesOf(const MarkGrid& grid) {
     return std::size_t(n.x) * std::size_t(n.y) * std::size_t(n.z);
 }
 
-std::size_t mostSlots(const MarkGrid& grid) {
-    const std::size_t most =
-        std::min(gl::TexelBuffer::mostTexels(), gl::limits().storageBlockBytes / sizeof(std::uint32_t));
-    return most > pagesOf(grid) ? (most - pagesOf(grid)) / kSlotWords : 0;
-}
+std::size_t mostSlots(const MarkGrid& grid) { return BrickWords::mostBricks(pagesOf(grid), kSlotWords); }
 
 // The places in which texels of a brick may appear: its own and those before it.
 void addPlacesOf(const MarkGrid& grid, std::uint32_t place, std::set<std::uint32_t>& places) {
@@ -106,60 +99,29 @@ bool MarkTexture::hasRoomFor(const Marks& marks) {
            })) <= most;
 }
 
+MarkTexture::MarkTexture() : words_(kSlotWords, "marks") {}
+
 void MarkTexture::forget() {
-    slots_.clear();
-    free_.clear();
-    used_ = 0;
-    capacity_ = 0;
-    words_ = gl::TexelBuffer();
+    words_.forget();
     shown_ = std::make_shared<const Marks>();
 }
 
-void MarkTexture::begin(const MarkGrid& grid, std::size_t slots) {
-    forget();
-    grid_ = grid;
-    words_ = gl::TexelBuffer(pagesOf(grid) + slots * kSlotWords, gl::Format::R32UI, "marks");
-    capacity_ = slots;
-}
-
-void MarkTexture::setPage(std::uint32_t place, std::uint32_t page) {
-    words_.write(std::as_bytes(std::span(&page, 1)), place);
-}
-
-std::map<std::uint32_t, MarkTexture::Words> MarkTexture::changes(const Marks& marks) const {
+BrickWords::Changes MarkTexture::changes(const Marks& before, const Marks& marks) const {
     std::set<std::uint32_t> places;
-    for (const std::uint32_t changed : changedBricks(*shown_, marks)) {
+    for (const std::uint32_t changed : changedBricks(before, marks)) {
         addPlacesOf(marks.grid(), changed, places);
     }
-    std::map<std::uint32_t, Words> found;
+    BrickWords::Changes found;
     for (const std::uint32_t place : places) {
-        Words words = wordsOf(around(marks, marks.grid().brickAt(place)));
+        BrickWords::Words words = wordsOf(around(marks, marks.grid().brickAt(place)));
         if (!haveCoverage(words)) {
             words.clear();
         }
-        if (!words.empty() || slots_.count(place) > 0) {
-            found[place] = std::move(words);
+        if (!words.empty() || words_.isHeld(place)) {
+            found[place] = {std::move(words)};
         }
     }
     return found;
-}
-
-void MarkTexture::place(std::uint32_t place, const Words& words) {
-    const auto known = slots_.find(place);
-    std::uint32_t slot = 0;
-    if (known != slots_.end()) {
-        slot = known->second;
-    } else if (!free_.empty()) {
-        slot = free_.back();
-        free_.pop_back();
-    } else {
-        slot = used_++;
-    }
-    words_.write(std::as_bytes(std::span(words)), pagesOf(grid_) + slot * kSlotWords);
-    if (known == slots_.end()) {
-        slots_[place] = slot;
-        setPage(place, slot + 1);
-    }
 }
 
 void MarkTexture::show(const SharedMarks& marks) {
@@ -174,41 +136,16 @@ void MarkTexture::show(const SharedMarks& marks) {
         forget();
         grid_ = marks->grid();
     }
-    auto changed = changes(*marks);
-    const auto slotsFor = [&] { // what there is then
-        std::size_t slots = slots_.size();
-        for (const auto& [place, words] : changed) {
-            slots += slots_.count(place) == 0 ? 1 : 0;
-            slots -= words.empty() ? 1 : 0;
+    const std::size_t tooMany =
+        words_.update(pagesOf(grid_), [&](bool isAll) { return changes(isAll ? Marks() : *shown_, *marks); });
+    if (tooMany > 0) {
+        if (!std::exchange(hasComplained_, true)) {
+            logNotice(fmt::format("there are marks in {} bricks, and this device has room for {}: they are "
+                                  "not shown",
+                                  tooMany, mostSlots(grid_)));
         }
-        return slots;
-    };
-    if (const std::size_t slots = slotsFor(); slots > capacity_) {
-        const std::size_t most = mostSlots(grid_);
-        if (slots > most) {
-            if (!std::exchange(hasComplained_, true)) {
-                logNotice(
-                    fmt::format("there are marks in {} bricks, and this device has room for {}: they are "
-                                "not shown",
-                                slots, most));
-            }
-            forget();
-            return;
-        }
-        begin(grid_, std::min(std::max({slots, 2 * capacity_, kFirstSlots}), most));
-        changed = changes(*marks); // all of it has to come again
-    }
-    for (const auto& [place, words] : changed) {
-        if (words.empty()) {
-            setPage(place, 0);
-            free_.push_back(slots_.at(place));
-            slots_.erase(place);
-        }
-    }
-    for (const auto& [place, words] : changed) {
-        if (!words.empty()) {
-            this->place(place, words);
-        }
+        forget();
+        return;
     }
     shown_ = marks;
 }
@@ -219,7 +156,7 @@ void MarkTexture::bind(const volume::GridGeometry& geometry) const {
         block_ = gl::Buffer(sizeof(MarksBlock), "where marks lie");
     }
     const double perStep = geometry.stepMm() / grid_.texelMm(geometry);
-    block_.writeValue(MarksBlock{glm::ivec4(grid_.bricks(), int(pagesOf(grid_))),
+    block_.writeValue(MarksBlock{glm::ivec4(grid_.bricks(), int(words_.firstWord())),
                                  glm::vec4(glm::vec3(grid_.perVoxel), float(perStep))});
     block_.bindUniform(kMarksBlock);
 }

@@ -2,13 +2,9 @@
 #pragma once
 
 #include "field/marks/marks.h"
+#include "field/sparse/brick_words.h"
 #include "gl/block_layout.h"
 #include "gl/buffer.h"
-#include "gl/texel_buffer.h"
-
-#include <cstdint>
-#include <map>
-#include <vector>
 
 namespace vs::field {
 
@@ -27,6 +23,7 @@ static_assert(isWhole(kMarksBlockLayout));
 // lies between its texels and theirs is found in it; and is there where only these have any.
 class MarkTexture {
 public:
+    MarkTexture();
     // Whether marks have room on the device.
     static bool hasRoomFor(const Marks& marks);
     // Brings what has changed since the last time to the device. Of more marks than that has room for nothing
@@ -37,22 +34,13 @@ public:
     void bind(const volume::GridGeometry& geometry) const;
 
 private:
-    using Words = std::vector<std::uint32_t>;
-
-    void begin(const MarkGrid& grid, std::size_t slots);
     void forget();
-    void place(std::uint32_t place, const Words& words);
-    void setPage(std::uint32_t place, std::uint32_t page);
-    // The bricks that differ from what is shown, as the device has them; empty words: nothing is there.
-    [[nodiscard]] std::map<std::uint32_t, Words> changes(const Marks& marks) const;
+    // The bricks that differ from those of `before`, as the device has them.
+    [[nodiscard]] BrickWords::Changes changes(const Marks& before, const Marks& marks) const;
 
     SharedMarks shown_ = std::make_shared<const Marks>();
     MarkGrid grid_;
-    std::map<std::uint32_t, std::uint32_t> slots_; // by place
-    std::vector<std::uint32_t> free_;
-    std::uint32_t used_ = 0;   // slots, free ones among them
-    std::size_t capacity_ = 0; // slots
-    gl::TexelBuffer words_;
+    BrickWords words_;
     mutable gl::Buffer block_;
     bool hasComplained_ = false;
 };

@@ -23,29 +23,6 @@ bool MarkBrick::isEmpty() const {
     return std::all_of(coverage.begin(), coverage.end(), [](std::uint8_t covered) { return covered == 0; });
 }
 
-const MarkBrick* Marks::find(std::uint32_t place) const {
-    const auto found = std::lower_bound(bricks_.begin(), bricks_.end(), place,
-                                        [](const Entry& entry, std::uint32_t p) { return entry.first < p; });
-    return found != bricks_.end() && found->first == place ? found->second.get() : nullptr;
-}
-
-Marks Marks::with(std::vector<Entry> changed) const {
-    std::vector<Entry> all;
-    all.reserve(bricks_.size() + changed.size());
-    auto old = bricks_.begin();
-    for (Entry& entry : changed) {
-        const auto next =
-            std::find_if(old, bricks_.end(), [&](const Entry& other) { return other.first >= entry.first; });
-        all.insert(all.end(), old, next);
-        old = next != bricks_.end() && next->first == entry.first ? next + 1 : next;
-        if (entry.second && !entry.second->isEmpty()) {
-            all.push_back(std::move(entry));
-        }
-    }
-    all.insert(all.end(), old, bricks_.end());
-    return {grid_, std::move(all)};
-}
-
 MarkTexel Marks::texelAt(glm::ivec3 texel) const {
     if (isEmpty() || glm::any(glm::lessThan(texel, glm::ivec3(0))) ||
         glm::any(glm::greaterThanEqual(texel, grid_.texels()))) {
@@ -78,13 +55,7 @@ glm::dvec4 Marks::colourAt(const glm::dvec3& voxel) const {
 }
 
 bool Marks::operator==(const Marks& other) const {
-    return (isEmpty() && other.isEmpty()) ||
-           (grid_ == other.grid_ && std::equal(bricks_.begin(), bricks_.end(), other.bricks_.begin(),
-                                               other.bricks_.end(), [](const Entry& one, const Entry& two) {
-                                                   return one.first == two.first &&
-                                                          (one.second == two.second ||
-                                                           *one.second == *two.second);
-                                               }));
+    return (isEmpty() && other.isEmpty()) || (grid_ == other.grid_ && bricks_ == other.bricks_);
 }
 
 std::vector<std::array<std::uint8_t, 4>> coloursOfVoxels(const Marks& marks) {
@@ -117,20 +88,7 @@ std::vector<std::array<std::uint8_t, 4>> coloursOfVoxels(const Marks& marks) {
 }
 
 std::vector<std::uint32_t> changedBricks(const Marks& before, const Marks& now) {
-    std::vector<std::uint32_t> places;
-    auto a = before.bricks().begin();
-    auto b = now.bricks().begin();
-    while (a != before.bricks().end() || b != now.bricks().end()) {
-        const bool isOnlyBefore =
-            b == now.bricks().end() || (a != before.bricks().end() && a->first < b->first);
-        const bool isOnlyNow = a == before.bricks().end() || (b != now.bricks().end() && b->first < a->first);
-        if (isOnlyBefore || isOnlyNow || a->second != b->second) {
-            places.push_back(isOnlyNow ? b->first : a->first);
-        }
-        a += isOnlyNow ? 0 : 1;
-        b += isOnlyBefore ? 0 : 1;
-    }
-    return places;
+    return changedPlaces(before.bricks_, now.bricks_);
 }
 
 Box3 changedBetween(const Marks& before, const Marks& now) {

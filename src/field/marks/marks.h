@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/math.h"
+#include "field/sparse/sparse_bricks.h"
 #include "volume/grid/geometry.h"
 
 #include <algorithm>
@@ -91,29 +92,36 @@ struct MarkBrick {
 // they leave alone, so that undo holds what has changed and no more.
 class Marks {
 public:
-    using Brick = std::shared_ptr<const MarkBrick>;
-    using Entry = std::pair<std::uint32_t, Brick>; // MarkGrid::placeOf()
+    using Brick = SparseBricks<MarkBrick>::Brick;
+    using Entry = SparseBricks<MarkBrick>::Entry; // MarkGrid::placeOf()
 
     Marks() = default;
     // Bricks in the order of their places, none of them null or without coverage.
     Marks(const MarkGrid& grid, std::vector<Entry> bricks) : grid_(grid), bricks_(std::move(bricks)) {}
 
-    [[nodiscard]] bool isEmpty() const { return bricks_.empty(); }
+    [[nodiscard]] bool isEmpty() const { return bricks_.isEmpty(); }
     [[nodiscard]] const MarkGrid& grid() const { return grid_; }
-    [[nodiscard]] const std::vector<Entry>& bricks() const { return bricks_; }
+    [[nodiscard]] const std::vector<Entry>& bricks() const { return bricks_.entries(); }
     // Null: nothing is marked there.
-    [[nodiscard]] const MarkBrick* find(std::uint32_t place) const;
+    [[nodiscard]] const MarkBrick* find(std::uint32_t place) const { return bricks_.at(place).get(); }
     // These with other bricks in the places named (in order; null or empty ones are taken away).
-    [[nodiscard]] Marks with(std::vector<Entry> changed) const;
+    [[nodiscard]] Marks with(std::vector<Entry> changed) const {
+        Marks other;
+        other.grid_ = grid_;
+        other.bricks_ = bricks_.with(std::move(changed));
+        return other;
+    }
     [[nodiscard]] MarkTexel texelAt(glm::ivec3 texel) const; // anywhere
     // The colour (sRGB, 0 to 1) and opacity at a place in voxel space, interpolated as pictures do.
     [[nodiscard]] glm::dvec4 colourAt(const glm::dvec3& voxel) const;
-    [[nodiscard]] std::size_t memoryBytes() const { return bricks_.size() * sizeof(MarkBrick); }
+    [[nodiscard]] std::size_t memoryBytes() const { return bricks().size() * sizeof(MarkBrick); }
     bool operator==(const Marks& other) const;
 
 private:
+    friend std::vector<std::uint32_t> changedBricks(const Marks& before, const Marks& now);
+
     MarkGrid grid_;
-    std::vector<Entry> bricks_;
+    SparseBricks<MarkBrick> bricks_;
 };
 using SharedMarks = std::shared_ptr<const Marks>; // never null
 

@@ -21,6 +21,7 @@ const int kApartPagesTexture = 15; // of a segment, whose surfaces are not looke
 const int kBrickCutsTexture = 15;  // not where a segment is drawn apart from others
 const int kSmoothedTexture = 15;
 const int kMarksTexture = 16;
+const int kFillTexture = 17;
 
 // Image units.
 const int kCellsImage = 0;
@@ -35,3 +36,4 @@ const int kBrickUsesStorage = 6;
 const int kSceneBlock = 0;
 const int kBricksBlock = 4;
 const int kMarksBlock = 5;
+const int kFillBlock = 6;

@@ -8,7 +8,8 @@
 // it is 1, or 2 where opaque and translucent ones are told apart.
 // ALL_SEGMENTS: translucent segments count as opaque ones do. SMOOTHED: dataAt()
 // gives smoothed values, of textures 15 and 12, sectionValueAt() the values themselves. PULLED: of segments
-// only one is there; APART: others may touch it (one_segment.glsl).
+// only one is there; APART: others may touch it (one_segment.glsl). FILLED: there is material that was added
+// (fill.glsl).
 
 #include "field/shaders/bindings.glsl"
 layout(std140, binding = kSceneBlock) uniform SceneBlock {
@@ -96,6 +97,10 @@ float segmentStep() { return fineStep(); }
 float segmentStep() { return 1.0; }
 #endif
 
+#ifdef FILLED
+#include "field/shaders/fill.glsl"
+#endif
+
 #include "field/shaders/quads.glsl"
 // Stored values, and, fetched, what they stand for.
 #if defined(BRICKS)
@@ -117,26 +122,43 @@ float storedAt(vec3 q) { return ofQuads(quads, q); }
 float storedAt(vec3 q) { return textureLod(dataTexture, textureFromVoxel(q), 0.0).r; }
 #endif
 
+// The scan's value at p.
 #ifdef TRICUBIC
 #include "field/shaders/tricubic.glsl"
 #else
-float dataAt(vec3 p) { return storedAt(sampledFromVoxel(p)) * storedScale().x + storedScale().y; }
+float scanAt(vec3 p) { return storedAt(sampledFromVoxel(p)) * storedScale().x + storedScale().y; }
 // The same value wherever in a texture it is kept, for where it is close to one that decides something.
-float exactDataAt(vec3 p) { return fetchedAt(sampledFromVoxel(p)); }
+float exactScanAt(vec3 p) { return fetchedAt(sampledFromVoxel(p)); }
+#endif
+
+// The value at p, of the scan or of material.
+#ifdef FILLED
+float dataAt(vec3 p) { return orMaterial(scanAt(p), p); }
+float exactDataAt(vec3 p) { return orMaterial(exactScanAt(p), p); }
+#else
+float dataAt(vec3 p) { return scanAt(p); }
+float exactDataAt(vec3 p) { return exactScanAt(p); }
 #endif
 
 #ifdef SMOOTHED
 #include "field/shaders/sections.glsl"
 #else
-// What a section through p shows: the data's own value.
-float sectionValueAt(vec3 p) { return dataAt(p); }
+// What a section through p shows: the scan's own value.
+float sectionValueAt(vec3 p) { return scanAt(p); }
 #endif
 
-// The stored value of one voxel, exact.
-float voxelValue(ivec3 v) {
+// The scan's stored value of one voxel, exact.
+float scanValue(ivec3 v) {
     float value = texelFetch(dataTexture, v, 0).r * dataScale().x + dataScale().y;
     return valueScale.z > 0.5 ? round(value) : value;
 }
+
+// The value of one voxel, of the scan or of material.
+#ifdef FILLED
+float voxelValue(ivec3 v) { return orMaterial(scanValue(v), vec3(v)); }
+#else
+float voxelValue(ivec3 v) { return scanValue(v); }
+#endif
 
 #ifdef FINER_CUTS
 float sculptureAt(vec3 p) { return levelSculptureAt(sampledFromVoxel(p)); }
@@ -199,12 +221,22 @@ float visibleSide(float sculpture) {
     return dims.w == 0 ? 1.0 : (dims.w == 1 ? 0.5 - sculpture - 1e-6 : sculpture - 0.5);
 }
 
+#ifdef FILLED
+// The same for what is at a place that is filled so much (filledAt()): material hides what the scan has
+// there, and is seen itself. Of two functions that are >= 0 in parts of space the greater is so in both
+// parts.
+float withFill(float side, vec2 filled) { return max(min(side, 0.5 - filled.x), filled.y - 0.5); }
+#endif
+
 SceneSample sampleScene(vec3 p) {
     SceneSample s;
     s.value = dataAt(p);
     s.sculpture = sculptureAt(p);
     s.dataInside = insideRange(s.value);
     s.uncut = visibleSide(s.sculpture);
+#ifdef FILLED
+    s.uncut = withFill(s.uncut, filledAt(p));
+#endif
     return s;
 }
 
@@ -248,7 +280,7 @@ vec3 dataGradient(vec3 p) { return worldGradient(voxelGradientAt(p)); }
 #elif defined(BRICKS)
 DEFINE_FINER_GRADIENT(dataGradient, storedAt)
 #else
-DEFINE_GRADIENT(dataGradient, dataAt)
+DEFINE_GRADIENT(dataGradient, scanAt)
 #endif
 #ifdef FINER_CUTS
 DEFINE_FINER_GRADIENT(sculptureGradient, levelSculptureAt)

@@ -1,5 +1,5 @@
 // What sections show where surfaces are looked for in smoothed values: the values themselves, sampled as
-// dataAt() samples the smoothed ones. Voxel space. Bindings: texture 0. Included by scene.glsl.
+// scanAt() samples the smoothed ones. Voxel space. Bindings: texture 0. Included by scene.glsl.
 
 float storedInSection(vec3 p) { return textureLod(sectionTexture, textureFromVoxel(p), 0.0).r; }
 

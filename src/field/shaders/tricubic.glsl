@@ -70,10 +70,10 @@ Taps tapsAlong(vec3 axis, Taps values, Taps slopes) {
                 mix(values.weightUpper, slopes.weightUpper, axis));
 }
 
-float dataAt(vec3 p) {
+float scanAt(vec3 p) {
     return eightTaps(valueTaps(sampledFromVoxel(p)), false) * storedScale().x + storedScale().y;
 }
-float exactDataAt(vec3 p) { return eightTaps(valueTaps(sampledFromVoxel(p)), true); }
+float exactScanAt(vec3 p) { return eightTaps(valueTaps(sampledFromVoxel(p)), true); }
 
 // Value per voxel along each axis.
 vec3 voxelGradientAt(vec3 p) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "gl/block_layout.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -23,5 +25,10 @@ struct SegmentColours {
 
     std::array<glm::vec4, 256> entries;
 };
+// They are written into SegmentColoursBlock of render/shaders/segment_colours.glsl (std140).
+inline constexpr gl::BlockMember kSegmentColoursBlockMembers[] = {VS_BLOCK_MEMBER(SegmentColours, entries)};
+inline constexpr gl::BlockLayout kSegmentColoursBlockLayout{"SegmentColoursBlock", sizeof(SegmentColours),
+                                                            kSegmentColoursBlockMembers};
+static_assert(isWhole(kSegmentColoursBlockLayout));
 
 } // namespace vs::render

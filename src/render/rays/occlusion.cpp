@@ -71,6 +71,7 @@ gl::Defines OcclusionVolume::definesFor(const Input& input) const {
         {"SCULPTED", input.scene.sculpture != nullptr || input.scene.view == field::SculptureView::Probe},
         {"ON_VOXELS", blockSize_ == glm::ivec3(2)},
     });
+    field::addFill(input.scene, defines);
     defines.emplace_back("CONTENT", std::to_string(content));
     if (input.classification != nullptr) {
         input.classification->addDefines(defines);

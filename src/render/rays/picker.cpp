@@ -44,6 +44,7 @@ gl::Defines definesFor(const Frame& frame, Picker::Meets meets) {
     if (frame.detail != nullptr) {
         frame.detail->addDefines(layersOf(frame), defines);
     }
+    field::addFill(scene, defines);
     defines.emplace_back("CONTENT", std::to_string(content));
     if (byFunction) {
         frame.classification->addDefines(defines);

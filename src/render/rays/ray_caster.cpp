@@ -79,7 +79,7 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) 
 
 RayCaster::RayCaster()
     : findBeams_("render/shaders/find_beams.comp"), fillFilm_("render/shaders/fill_film.comp"),
-      segmentColours_(glm::ivec2(256, 1), gl::Format::RGBA32F, gl::Filter::Nearest, "segment colours") {}
+      segmentColours_(sizeof(SegmentColours), "segment colours") {}
 
 void RayCaster::start(const Frame& frame) {
     VS_CHECK(frame.macrocells != nullptr);
@@ -108,8 +108,7 @@ void RayCaster::start(const Frame& frame) {
         seenGlass_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen glass");
     }
     chooseLevel();
-    segmentColours_.upload({glm::ivec3(0), segmentColours_.size()},
-                           std::as_bytes(std::span(frame.segmentColours.entries)));
+    segmentColours_.writeValue(frame.segmentColours);
     arrangeParts();
 }
 
@@ -212,7 +211,7 @@ void RayCaster::bindPicture() {
         seenGlass_.bindImage(kSeenGlassImage, gl::Access::ReadWrite);
         seenGlassDepth_.bindImage(kSeenGlassDepthImage, gl::Access::ReadWrite);
     }
-    segmentColours_.bindTexture(kSegmentColoursTexture);
+    segmentColours_.bindUniform(kSegmentColoursBlock);
 }
 
 // What a program that shows something needs to know of the picture.

@@ -224,7 +224,7 @@ private:
     gl::Program findBeams_;
     gl::Program fillFilm_;
     SquareLists squares_;
-    gl::Texture segmentColours_; // of the frame
+    gl::Buffer segmentColours_; // of the frame
     field::SceneBinding sceneBinding_;
     gl::Texture accumulation_;
     gl::Texture rounds_;       // of each pixel, which casting of it was the last without missing bricks

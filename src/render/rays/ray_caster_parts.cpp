@@ -51,14 +51,16 @@ void RayCaster::become(Part& part, const PastedPart& pasted) {
     Frame coarse = frame_;
     coarse.scene.hasFinerCuts = part.scene.hasFinerCuts && pasted.sculpture == frame_.scene.sculpture;
     coarse.scene.hasFinerSegments = part.scene.hasFinerSegments && pasted.segmentation == nullptr;
+    coarse.scene.fill = nullptr; // parts are of the scan alone
     if (coarse.scene.hasFinerCuts != part.scene.hasFinerCuts ||
-        coarse.scene.hasFinerSegments != part.scene.hasFinerSegments) {
+        coarse.scene.hasFinerSegments != part.scene.hasFinerSegments || part.scene.fill != nullptr) {
         part.scene.hasFinerCuts = coarse.scene.hasFinerCuts;
         part.scene.hasFinerSegments = coarse.scene.hasFinerSegments;
         part.defines = definesFor(coarse);
     }
     part.scene.sculpture = pasted.sculpture;
     part.scene.view = field::SculptureView::Probe;
+    part.scene.fill = nullptr;
     if (pasted.segmentation != nullptr) {
         part.scene.segmentation = pasted.segmentation;
     }
@@ -70,6 +72,7 @@ void RayCaster::become(Part& part, const PastedPart& pasted) {
 void RayCaster::become(Part& part, const PulledSegment& segment) {
     VS_CHECK(segment.macrocells != nullptr && segment.scene.segmentation != nullptr);
     part.scene = segment.scene;
+    part.scene.fill = nullptr;
     part.defines = definesFor(frame_, segment);
     part.pulled = glm::ivec2(segment.label, segment.isTranslucent ? 1 : 0);
     part.macrocells = part.segmentCells = segment.macrocells;

@@ -57,6 +57,7 @@ gl::Defines RayCaster::definesFor(const Frame& frame) {
     if (frame.detail != nullptr) {
         frame.detail->addDefines(layersOf(frame), defines);
     }
+    field::addFill(scene, defines);
     defines.emplace_back("MODE", std::to_string(static_cast<int>(frame.mode)));
     if (frame.classification != nullptr) {
         frame.classification->addDefines(defines);
@@ -71,6 +72,7 @@ gl::Defines RayCaster::definesFor(const Frame& frame, const PulledSegment& segme
     alone.occlusion = nullptr;
     alone.mode = frame.mode == Mode::Surface ? Mode::Segment : frame.mode;
     alone.scene.smoothed = nullptr;
+    alone.scene.fill = nullptr;
     // What is apart has tiles of its own where those would be bound.
     alone.scene.hasFinerCuts = segment.scene.hasFinerCuts && segment.scene.apartPages == nullptr;
     alone.scene.hasFinerSegments = segment.scene.hasFinerSegments && segment.scene.apartPages == nullptr;

@@ -12,6 +12,7 @@ const int kSegmentationCellsTexture = 2;
 const int kCellDistancesTexture = 3;
 const int kDataCellRangesTexture = 4;
 const int kFunctionTableTexture = 5;
+const int kFilledCellsTexture = 6; // where no quads are
 const int kVisibleBeforeTexture = 7;
 const int kBeamsTexture = 8;
 const int kGradientCellsTexture = 8;
@@ -21,7 +22,6 @@ const int kGradientsTexture = 10; // functions of values alone have spans, other
 const int kSegmentCellDistancesTexture = 11;
 const int kSlabListsTexture = 11;
 const int kCellTopsTexture = 12;
-const int kSegmentColoursTexture = 14;
 
 // Image units.
 const int kAccumulationImage = 0;
@@ -56,3 +56,4 @@ const int kMarksStorage = 5;
 const int kViewBlock = 1;
 const int kClassificationBlock = 2;
 const int kOcclusionBlock = 3;
+const int kSegmentColoursBlock = 7;

@@ -2,10 +2,11 @@
 // cell_bits.glsl. One invocation a row of 32 cells along x. In: textures 0 data ranges; with VS_SCULPTURE 1
 // sculpture ranges; with VS_SEGMENTATION 2 segmentation ranges (rg: smallest, largest value in the cell);
 // with VS_FINER_SEGMENTS surfaces are those of a finer level, which lie where the scene's segments are not
-// far. With VS_DATA the data is drawn; with VS_BY_FUNCTION the transfer function says what of it can be seen,
-// not the displayed range, with VS_GRADIENTS also by the gradient magnitudes in the cell (texture 8 gradient
-// ranges). In and out: storage 0 planes. Out: storage 1, 1 where the first plane was another.
-// variants: VS_DATA=1;VS_DATA=1 VS_BY_FUNCTION=1;VS_DATA=1 VS_BY_FUNCTION=1 VS_GRADIENTS=1 VS_SCULPTURE=1;VS_DATA=1 VS_SEGMENTATION=1 VS_FINER_SEGMENTS=1
+// far; with VS_FILLED 6 cells that may hold material. With VS_DATA the data is drawn; with VS_BY_FUNCTION the
+// transfer function says what of it can be seen, not the displayed range, with VS_GRADIENTS also by the
+// gradient magnitudes in the cell (texture 8 gradient ranges). In and out: storage 0 planes. Out: storage 1,
+// 1 where the first plane was another.
+// variants: VS_DATA=1;VS_DATA=1 VS_BY_FUNCTION=1;VS_DATA=1 VS_BY_FUNCTION=1 VS_GRADIENTS=1 VS_SCULPTURE=1;VS_DATA=1 VS_SEGMENTATION=1 VS_FINER_SEGMENTS=1;VS_DATA=1 VS_SCULPTURE=1 VS_FILLED=1;VS_DATA=1 VS_BY_FUNCTION=1 VS_GRADIENTS=1 VS_SCULPTURE=1 VS_FILLED=1
 layout(local_size_x = 4, local_size_y = 16) in;
 
 #include "gl/shaders/place.glsl"
@@ -14,6 +15,9 @@ layout(local_size_x = 4, local_size_y = 16) in;
 layout(binding = kDataCellsTexture) uniform sampler3D dataCells;
 layout(binding = kSculptureCellsTexture) uniform sampler3D sculptureCells;
 layout(binding = kSegmentationCellsTexture) uniform sampler3D segmentationCells;
+#ifdef VS_FILLED
+layout(binding = kFilledCellsTexture) uniform sampler3D filledCells;
+#endif
 
 uniform ivec3 firstRow; // the cells that are looked at, from here, x a multiple of 32,
 uniform ivec3 endRow;   // and before that place
@@ -56,6 +60,9 @@ bool mayHoldSomething(ivec3 cell) {
 #ifdef VS_SCULPTURE
     vec2 sculpture = texelFetch(sculptureCells, min(cell, textureSize(sculptureCells, 0) - 1), 0).rg;
     mayHold = mayHold && (isProbe != 0 ? sculpture.g >= 0.5 : sculpture.r < 0.5);
+#endif
+#ifdef VS_FILLED
+    mayHold = mayHold || texelFetch(filledCells, cell, 0).r > 0.0;
 #endif
     return mayHold;
 }

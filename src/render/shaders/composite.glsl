@@ -79,6 +79,13 @@ vec3 litInVolume(vec4 colour, Ray ray, vec3 p, bool isCut) {
         gradient = sculptureGradient(p);
     }
 #endif
+#ifdef FILLED
+    bool isFilled = filledByAny(p) >= 0.45; // a little outside too: what is found is a mean of places
+    while (isFilled) {
+        gradient = abs(dataAt(p) - scanAt(p)) * anyFillGradient(p);
+        isFilled = false;
+    }
+#endif
     // Where values hardly change there is no surface, only noise: it glows by itself.
     float surface = 1.0;
 #if TF_KIND != 1

@@ -21,9 +21,9 @@ float partInside(float value) { return insideRange(value) / rangeWidth(); }
 // >= 0 where the transfer function makes the data opaque enough.
 float opaqueAt(vec3 p) {
 #if TF_KIND == 0
-    return classify(dataAt(p), 0.0).a - lightingOfFunction.z;
+    return classify(scanAt(p), 0.0).a - lightingOfFunction.z;
 #else
-    return classify(dataAt(p), gradientAt(p)).a - lightingOfFunction.z;
+    return classify(scanAt(p), gradientAt(p)).a - lightingOfFunction.z;
 #endif
 }
 #endif
@@ -40,14 +40,14 @@ float dataShownAs(vec3 p, float value) {
     return partInside(value);
 #endif
 }
-float dataShownAt(vec3 p) { return dataShownAs(p, dataAt(p)); }
-float exactDataShownAt(vec3 p) { return dataShownAs(p, exactDataAt(p)); }
+float dataShownAt(vec3 p) { return dataShownAs(p, scanAt(p)); }
+float exactDataShownAt(vec3 p) { return dataShownAs(p, exactScanAt(p)); }
 #endif
 
 // >= 0 where there is content to see; continuous along each of its parts, so it can be bisected.
 float contentAt(vec3 p) {
 #if CONTENT == 0
-    return partInside(dataAt(p));
+    return partInside(scanAt(p));
 #elif CONTENT == 1
     return segmentationAt(p) - 0.5;
 #elif CONTENT == 3 && !defined(SEGMENTS)
@@ -70,12 +70,55 @@ float sideAs(vec3 p, float sculpture) {
     return side;
 }
 #ifdef SCULPTED
-float sideAt(vec3 p) { return sideAs(p, sculptureAt(p)); }
-float exactSideAt(vec3 p) { return sideAs(p, exactSculptureAt(p)); }
+float cutSideAt(vec3 p) { return sideAs(p, sculptureAt(p)); }
+float exactCutSideAt(vec3 p) { return sideAs(p, exactSculptureAt(p)); }
 #else
-float sideAt(vec3 p) { return sideAs(p, 0.0); }
-float exactSideAt(vec3 p) { return sideAs(p, 0.0); }
+float cutSideAt(vec3 p) { return sideAs(p, 0.0); }
+float exactCutSideAt(vec3 p) { return sideAs(p, 0.0); }
 #endif
+
+#ifdef FILLED
+#if CONTENT != 1
+#define FILL_IS_CONTENT
+#endif
+
+// >= 0 where material is seen that fills p so much.
+float fillShown(vec3 p, vec2 filled) {
+    float shown = filled.y - 0.5;
+#if CONTENT == 3 && TF_KIND == 0
+    bool isAsked = filled.y > 0.25;
+    uint material = materialAt(p, isAsked);
+    shown = isAsked && classify(materials[material].w, 0.0).a < lightingOfFunction.z ? -1.0 : shown;
+#endif
+    return shown;
+}
+
+// >= 0 where what the scan has is on the visible side, and no material instead of it.
+float scanSideAt(vec3 p) { return min(cutSideAt(p), 0.5 - filledByAny(p)); }
+// >= 0 where whatever is at p, of the scan or material, is on the visible side.
+float sideAt(vec3 p) { return withFill(cutSideAt(p), filledAt(p)); }
+float exactSideAt(vec3 p) { return withFill(exactCutSideAt(p), filledAt(p)); }
+#else
+float scanSideAt(vec3 p) { return cutSideAt(p); }
+float sideAt(vec3 p) { return cutSideAt(p); }
+float exactSideAt(vec3 p) { return exactCutSideAt(p); }
+#endif
+
+// Content and side with material that is there: either is seen where both are >= 0.
+vec2 withMaterial(vec3 p, vec2 parts) {
+#if defined(FILL_IS_CONTENT)
+    vec2 filled = filledAt(p);
+    float shown = fillShown(p, filled);
+    return vec2(max(parts.x, shown), max(min(parts.y, 0.5 - filled.x), shown));
+#elif defined(FILLED)
+    return vec2(parts.x, min(parts.y, 0.5 - filledByAny(p)));
+#else
+    return parts;
+#endif
+}
+
+// What surfaces are made of: x content, y side, both >= 0 where something is seen.
+vec2 partsOfSurface(vec3 p) { return withMaterial(p, vec2(contentAt(p), cutSideAt(p))); }
 
 // Both as they are wherever in textures the data and the sculpture are kept (x content, y side), which is not
 // said of segments and transfer functions: for where they are closer to zero than slack(), or decide where a
@@ -86,7 +129,7 @@ const float kSideSlack = 8e-3;
 #ifdef LOOKS_AGAIN
 float exactContentAt(vec3 p) {
 #if CONTENT == 0
-    return partInside(exactDataAt(p));
+    return partInside(exactScanAt(p));
 #else
     return max(exactDataShownAt(p), segmentationAt(p) - 0.5);
 #endif
@@ -96,7 +139,10 @@ vec2 slack() { return vec2(32.0 * max(valueScale.w, limits.w) / rangeWidth() + 1
 float exactContentAt(vec3 p) { return contentAt(p); }
 vec2 slack() { return vec2(0.0, kSideSlack); }
 #endif
-vec2 exactPartsAt(vec3 p) { return vec2(exactContentAt(p), exactSideAt(p)); }
+vec2 exactPartsAt(vec3 p) { return withMaterial(p, vec2(exactContentAt(p), exactCutSideAt(p))); }
 
 // >= 0 where something is visible.
-float visibility(vec3 p) { return min(contentAt(p), sideAt(p)); }
+float visibility(vec3 p) {
+    vec2 parts = partsOfSurface(p);
+    return min(parts.x, parts.y);
+}

@@ -2,13 +2,13 @@
 // SCULPTED: the sculpture hides some. SEGMENTED: there are segments. TINTED: what the 3D picture shows is
 // coloured: by the transfer function where there is a TF_KIND, else in one tint.
 // BRICKS: values are those of a finer level. FINER: see cast_rays.comp. FINER_CUTS, FINER_SEGMENTS: what is
-// cut and what belongs to segments is, too. MARKS: see there.
+// cut and what belongs to segments is, too. MARKS, FILLED: see there.
 // Spaces: the slice runs through voxel centres of the scene, so of a place's cell only four corners count;
 // they are asked for once, and everything is interpolated from them: corner 0 is the cell's first, 1 across,
 // 2 down, 3 both. Of a finer level's cell, too, of which it may run between two layers of voxels.
 //
-// In: the scene, texture 14 segment colours. Out: image 0.
-// variants: ;SCULPTED=1 SEGMENTED=1 TINTED=1;BRICKS=1 FINER=1 SCULPTED=1 FINER_CUTS=1;BRICKS=1 FINER=1 SEGMENTED=1 FINER_SEGMENTS=1;BRICKS=1 FINER=1 SCULPTED=1 SEGMENTED=1 FINER_CUTS=1 FINER_SEGMENTS=2;SCULPTED=1 SEGMENTED=1 TINTED=1 MARKS=1;BRICKS=1 FINER=1 SCULPTED=1 SEGMENTED=1 FINER_CUTS=1 FINER_SEGMENTS=2 MARKS=1
+// In: the scene, segment colours. Out: image 0.
+// variants: ;SCULPTED=1 SEGMENTED=1 TINTED=1;BRICKS=1 FINER=1 SCULPTED=1 FINER_CUTS=1;BRICKS=1 FINER=1 SEGMENTED=1 FINER_SEGMENTS=1;BRICKS=1 FINER=1 SCULPTED=1 SEGMENTED=1 FINER_CUTS=1 FINER_SEGMENTS=2;SCULPTED=1 SEGMENTED=1 TINTED=1 MARKS=1;BRICKS=1 FINER=1 SCULPTED=1 SEGMENTED=1 FINER_CUTS=1 FINER_SEGMENTS=2 MARKS=1;SCULPTED=1 SEGMENTED=1 TINTED=1 MARKS=1 FILLED=2;FILLED=1;BRICKS=1 FINER=1 SCULPTED=1 SEGMENTED=1 FINER_CUTS=1 FINER_SEGMENTS=2 MARKS=1 FILLED=1
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "field/shaders/bindings.glsl"
@@ -19,12 +19,13 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "render/shaders/gradients.glsl"
 #endif
 #include "render/shaders/shading.glsl"
+#ifdef SEGMENTED
+#include "render/shaders/segment_colours.glsl"
+#endif
 #ifdef MARKS
 #include "field/shaders/marks.glsl"
 #endif
 
-layout(binding = kSegmentColoursTexture) uniform sampler2D
-    segmentColours; // one row of 256, by label: linear, a opacity
 layout(binding = kSlicePictureImage, rgba8) uniform writeonly image2D picture;
 
 uniform vec3 first;    // voxel space: the first pixel's centre
@@ -117,8 +118,8 @@ float finerValueAt(vec3 p, Cell finer) {
 }
 #else
 vec4 valuesAround(Cell cell) {
-    return vec4(voxelValue(cell.corners[0]), voxelValue(cell.corners[1]), voxelValue(cell.corners[2]),
-                voxelValue(cell.corners[3]));
+    return vec4(scanValue(cell.corners[0]), scanValue(cell.corners[1]), scanValue(cell.corners[2]),
+                scanValue(cell.corners[3]));
 }
 
 float valueAt(Cell cell) { return blend(cell, valuesAround(cell)); }
@@ -170,6 +171,31 @@ vec3 hideCut(vec3 colour, Cell cell, ivec2 pixel) {
     vec3 dark = 0.22 * colour + vec3(0.02, 0.03, 0.04) + hatch;
     float edge = clamp(1.5 - abs(inside), 0.0, 1.0);
     return mix(mix(colour, dark, hidden), vec3(0.62, 0.70, 0.78), 0.5 * edge);
+}
+#endif
+
+#ifdef FILLED
+// Material over what is there: its value as the scan's would be shown, in a tint of its own behind a crisp
+// edge.
+vec3 coverByFill(vec3 colour, Cell cell, vec3 p) {
+    vec4 any;
+    for (int i = 0; i < 4; ++i) {
+        any[i] = filledAt(vec3(cell.corners[i])).x;
+    }
+    float inside = pixelsInside(cell, any);
+    bool isNear = inside > -1.0;
+    while (isNear) {
+        uint material = materialAt(isSmooth != 0 ? p : vec3(cell.corners[cell.nearest]), true);
+        vec4 entry = materials[material];
+        vec3 own = displayFromLinear(entry.rgb);
+        float seen = isSeen(material) ? 1.0 : 0.4;
+        vec3 shown = mix(valueColour(entry.w, p), own, 0.45 * seen);
+        float covered = isSmooth != 0 ? clamp(inside + 0.5, 0.0, 1.0) : step(0.0, inside);
+        float edge = covered * clamp(1.5 - inside, 0.0, 1.0);
+        colour = mix(mix(colour, shown, covered), own, edge * seen);
+        isNear = false;
+    }
+    return colour;
 }
 #endif
 
@@ -258,7 +284,7 @@ void coverBySegments(inout vec3 colour, Cell cell) {
         // What another segment has is not this one's; outside of all the smooth border of both goes on.
         vec4 own = mix(vec4(0.0), memberships, equal(labels, uvec4(labels[i])));
         own = mix(own, memberships, equal(labels, uvec4(0u)));
-        coverBy(colour, cell, own, texelFetch(segmentColours, ivec2(int(labels[i]), 0), 0));
+        coverBy(colour, cell, own, entryOf(labels[i]));
     }
 }
 #endif
@@ -282,6 +308,9 @@ void main() {
         colour = hideCut(colour, finer, pixel);
 #elif defined(SCULPTED)
         colour = hideCut(colour, cell, pixel);
+#endif
+#ifdef FILLED
+        colour = coverByFill(colour, cell, p);
 #endif
 #ifdef FINER_SEGMENTS
         coverBySegments(colour, finer);

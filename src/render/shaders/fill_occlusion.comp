@@ -1,9 +1,9 @@
 // How much of each texel of the occlusion volume blocks light: the part of it that is visible, or what its
 // opacity holds back. CONTENT: 0 data in the displayed range, 1 segmentation, 2 either of the two, 3 opacity
-// of the transfer function (TF_KIND). SCULPTED: there is a sculpture. ON_VOXELS: blockSize is 2 along each
-// axis, so that what is looked up are the voxels. In: the scene (field/shaders/scene.glsl), texture 3
-// macrocell distances. Out: image 0 (r8), texels [texelLo, texelHi).
-// variants: CONTENT=0 ON_VOXELS=1;CONTENT=0;CONTENT=1 SCULPTED=1;CONTENT=2;CONTENT=3 TF_KIND=0 SCULPTED=1 ON_VOXELS=1;CONTENT=3 TF_KIND=2
+// of the transfer function (TF_KIND). SCULPTED: there is a sculpture. FILLED: and material that was added.
+// ON_VOXELS: blockSize is 2 along each axis, so that what is looked up are the voxels. In: the scene
+// (field/shaders/scene.glsl), texture 3 macrocell distances. Out: image 0 (r8), texels [texelLo, texelHi).
+// variants: CONTENT=0 ON_VOXELS=1;CONTENT=0;CONTENT=1 SCULPTED=1;CONTENT=2;CONTENT=3 TF_KIND=0 SCULPTED=1 ON_VOXELS=1;CONTENT=3 TF_KIND=2;CONTENT=0 FILLED=1 SCULPTED=1;CONTENT=3 TF_KIND=0 FILLED=2;CONTENT=2 FILLED=2
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
 #include "gl/shaders/place.glsl"
@@ -33,11 +33,11 @@ vec3 place(vec3 centre, int i) {
 
 #ifdef ON_VOXELS
 ivec3 voxelAt(vec3 p) { return min(ivec3(p + 0.5), dims.xyz - 1); }
-float dataIn(vec3 p) { return voxelValue(voxelAt(p)); }
+float dataIn(vec3 p) { return scanValue(voxelAt(p)); }
 float sculptureIn(vec3 p) { return texelFetch(sculptureTexture, voxelAt(p), 0).r; }
 vec2 membershipsIn(vec3 p) { return texelFetch(segmentationTexture, voxelAt(p), 0).rg; }
 #else
-float dataIn(vec3 p) { return dataAt(p); }
+float dataIn(vec3 p) { return scanAt(p); }
 float sculptureIn(vec3 p) { return sculptureAt(p); }
 vec2 membershipsIn(vec3 p) { return membershipsAt(p); }
 #endif
@@ -113,6 +113,22 @@ float opacityOf(vec3 centre) {
 }
 #endif
 
+#ifdef FILLED
+// How much of a texel is filled, by anything (x) and by what is seen (y).
+vec2 fillCoverage(vec3 centre) {
+    vec2 sum = vec2(0.0);
+    vec2 lo = vec2(1e38);
+    vec2 hi = vec2(-1e38);
+    for (int i = 0; i < places; ++i) {
+        vec2 inside = filledAt(place(centre, i)) - 0.5;
+        sum += inside;
+        lo = min(lo, inside);
+        hi = max(hi, inside);
+    }
+    return coverage(sum, lo, hi);
+}
+#endif
+
 // The part of a texel that lies in the grid, which reaches half a voxel beyond the outermost centres.
 float partInGrid(vec3 centre) {
     vec3 inside = clamp((vec3(dims.xyz) - 0.5 - centre) / vec3(blockSize) + 0.5, 0.0, 1.0);
@@ -132,6 +148,16 @@ float blockedPart(vec3 centre) {
 #endif
 #ifdef SCULPTED
     part *= sideCoverage(centre);
+#endif
+#ifdef FILLED
+    vec2 filled = fillCoverage(centre);
+#if CONTENT == 1
+    filled.y = 0.0; // surfaces alone are seen, and of material none
+#elif CONTENT == 3
+    float material = 1.0 - pow(1.0 - min(classify(dataAt(centre), 0.0).a, 0.9999), texelSteps);
+    filled.y *= material;
+#endif
+    part = part * (1.0 - filled.x) + filled.y;
 #endif
     return part * partInGrid(centre);
 }

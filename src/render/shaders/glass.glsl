@@ -3,7 +3,7 @@
 // all of its folds. Include "render/shaders/surface.glsl" first.
 
 // >= 0 where there is glass.
-float glassAt(vec3 p) { return min(translucentAt(p) - 0.5, sideAt(p)); }
+float glassAt(vec3 p) { return min(translucentAt(p) - 0.5, scanSideAt(p)); }
 
 // Where it first is, before tEnd and a sample; `value` is glassAt there.
 Crossing firstGlass(Ray ray, float tEnd, float jitter) {
@@ -59,6 +59,7 @@ Hit findGlass(Ray ray, float tEnd, float jitter) {
     hit.voxel = at(ray, hit.t);
     hit.isSegment = true;
     hit.inSegment = hit.voxel;
+    hit.isFill = false;
     bool atBorder = bracket.y - ray.tNear < 1e-3 && ray.tNear > 0.0;
     hit.isCut = atBorder;
     vec3 outward = -translucentGradient(hit.voxel);

@@ -98,7 +98,7 @@ float emptyUntil(Ray ray, float t, vec3 inverseDirection) {
     return distance > 0 ? leaveCells(ray, t, cell, distance, inverseDirection) : 0.0;
 }
 
-#if defined(BRICK_RANGES) && !defined(TRICUBIC) // whose samples reach beyond a cell's
+#if defined(BRICK_RANGES) && !defined(TRICUBIC) && !defined(FILLED) // whose samples reach beyond a cell's
 #define GOES_BY_BRICKS
 #ifdef DATA_BY_FUNCTION
 bool mayBeVisible(float lo, float hi); // classification.glsl

@@ -46,6 +46,10 @@ vec3 shadeHit(Hit hit, Ray ray, vec3 segmentColour) {
     vec3 up = viewUp.xyz;
     vec2 reaching = lightAt(hit);
     vec3 albedo = hit.isSegment ? segmentColour : surfaceColour(hit, ray);
+#ifdef FILL_IS_CONTENT
+    vec3 added = materials[materialAt(hit.voxel, hit.isFill)].rgb;
+    albedo = hit.isFill ? added : albedo;
+#endif
 #ifdef MARKS
     vec4 mark = markAt(hit.voxel, pixelWidth.x + pixelWidth.y * hit.t);
     albedo = mix(albedo, mark.rgb, mark.a);

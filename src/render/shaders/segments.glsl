@@ -1,11 +1,7 @@
 // What colour segments have where a ray meets them.
-// Bindings: texture 14 (render::SegmentColours). Include "field/shaders/scene.glsl" first; declare `corners`.
+// Include "field/shaders/scene.glsl" first; declare `corners`.
 
-#include "render/shaders/bindings.glsl"
-layout(binding = kSegmentColoursTexture) uniform sampler2D
-    segmentColours; // one row of 256, by label: linear, a opacity
-
-vec4 entryOf(uint segment) { return texelFetch(segmentColours, ivec2(int(segment), 0), 0); }
+#include "render/shaders/segment_colours.glsl"
 
 // Adds the mean of what the corners of p's cell say, weighted as trilinear interpolation does, so that
 // borders between segments do not show voxels; of segments of one kind only. Not if not `wanted`.

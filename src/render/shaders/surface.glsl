@@ -20,12 +20,18 @@ struct Hit {
     vec3 cutNormal; // of that face: world, unit, facing the viewer
     bool isSegment;
     vec3 inSegment; // where that segment is
+    bool isFill;    // of material that was added
 };
+
+#ifdef FILLED
+DEFINE_GRADIENT(fillGradient, filledBySeen)
+DEFINE_GRADIENT(anyFillGradient, filledByAny)
+#endif
 
 #ifdef SCULPTED
 // Between two places of which neither is visible, content may begin before the visible side ends, or the side
 // begin before the content ends: a sliver thinner than a step, along the edge of a cut. Where it is, as a
-// part of the way; -1: nowhere. x content, y side, as in contentAt and sideAt, taken as linear between the
+// part of the way; -1: nowhere. x content, y side, as in partsOfSurface, taken as linear between the
 // places, and so far off at the most.
 float sliverBetween(vec2 before, vec2 after, vec2 off) {
     vec2 crossing = before / (before - after);
@@ -59,7 +65,7 @@ void testBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
     vec2 before = last;
     for (int i = 0; i < kBatch; ++i) {
         vec3 p = at(ray, crossing.t + float(i) * kDt);
-        vec2 here = vec2(contentAt(p), sideAt(p));
+        vec2 here = partsOfSurface(p);
         bool mayHoldSliver = sliverBetween(before, here, slack()) >= 0.0;
         bool mayBeSeen = all(greaterThanEqual(here, -slack()));
         bool isFirst = first == float(kBatch) && (mayBeSeen || mayHoldSliver);
@@ -72,7 +78,7 @@ void testBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
 #else
     for (int i = kBatch - 1; i >= 0; --i) {
         vec3 p = at(ray, crossing.t + float(i) * kDt);
-        vec2 here = vec2(contentAt(p), sideAt(p));
+        vec2 here = partsOfSurface(p);
         bool mayBeSeen = all(greaterThanEqual(here, -slack()));
         first = mayBeSeen ? float(i) : first;
         found = mayBeSeen ? here : found;
@@ -141,8 +147,12 @@ struct Obstacle {
 // Content and side at p as far as they are in the way there.
 vec2 partsAt(vec3 p, bool isAbove) {
 #if CONTENT == 0
-    float value = exactDataAt(p);
-    return vec2(isAbove ? limits.x - value + limits.w : value - range.x + valueScale.w, exactSideAt(p));
+    float value = exactScanAt(p);
+    float inside = isAbove ? limits.x - value + limits.w : value - range.x + valueScale.w;
+#ifdef FILL_IS_CONTENT
+    inside /= rangeWidth();
+#endif
+    return withMaterial(p, vec2(inside, exactCutSideAt(p)));
 #else
     return exactPartsAt(p);
 #endif
@@ -151,7 +161,7 @@ vec2 partsAt(vec3 p, bool isAbove) {
 Obstacle obstacleAt(vec3 p) {
     Obstacle obstacle;
 #if CONTENT == 0 || CONTENT == 2
-    obstacle.isAbove = exactDataAt(p) > limits.x;
+    obstacle.isAbove = exactScanAt(p) > limits.x;
 #else
     obstacle.isAbove = false;
 #endif
@@ -266,6 +276,7 @@ Hit findSurface(Ray ray, float jitter) {
     hit.normal = -ray.world;
     hit.voxel = vec3(0.0);
     hit.inSegment = vec3(0.0);
+    hit.isFill = false;
     hit.cutShare = 0.0;
     hit.cutNormal = hit.normal;
     if (!hit.found) {
@@ -289,6 +300,13 @@ Hit findSurface(Ray ray, float jitter) {
     }
 #endif
 #endif
+#ifdef FILLED
+    vec2 filled = filledAt(hit.voxel);
+#endif
+#ifdef FILL_IS_CONTENT
+    float beside = min(min(exactContentAt(hit.voxel), exactCutSideAt(hit.voxel)), 0.5 - filled.x);
+    hit.isFill = fillShown(hit.voxel, filled) > beside;
+#endif
     bool atBorder = bracket.y - ray.tNear < 1e-3 && ray.tNear > 0.0;
     vec3 outward = dataGradient(hit.voxel) * (obstacle.isAbove ? 1.0 : -1.0);
 #if CONTENT == 3
@@ -298,7 +316,7 @@ Hit findSurface(Ray ray, float jitter) {
     // Whichever of the two begins here: at its own surface each is zero but for rounding.
     bool isSegmentsOwn = CONTENT == 1 || segmentationAt(hit.voxel) - 0.5 >= exactDataShownAt(hit.voxel);
 #if defined(TRANSLUCENT) && CONTENT != 3
-    bool endsAtGlass = clearOfGlass(membershipsAt(hit.voxel)) <= partInside(exactDataAt(hit.voxel));
+    bool endsAtGlass = clearOfGlass(membershipsAt(hit.voxel)) <= partInside(exactScanAt(hit.voxel));
     outward = endsAtGlass ? translucentGradient(hit.voxel) : outward;
 #endif
     outward = isSegmentsOwn ? -segmentationGradient(hit.voxel) : outward;
@@ -309,6 +327,11 @@ Hit findSurface(Ray ray, float jitter) {
     bool isAlongSegment = false; // cut along a segment's own surface
 #ifdef SCULPTED
     vec3 cutOutward = sculptureGradient(hit.voxel) * (dims.w == 1 ? 1.0 : -1.0);
+#if defined(FILLED) && FILLED == 2
+    // The face where material ends that is not seen itself.
+    bool isBesideFill = 0.5 - filled.x < cutSideAt(hit.voxel);
+    cutOutward = isBesideFill ? anyFillGradient(hit.voxel) : cutOutward;
+#endif
 #if defined(CUT_ALONG_SEGMENTS) && defined(MEETS_SEGMENTS)
     isAlongSegment = isSegmentsSurface(hit.voxel, cutOutward);
 #endif
@@ -335,8 +358,20 @@ Hit findSurface(Ray ray, float jitter) {
 #ifdef SCULPTED
     const float hair = 0.12; // of the sculpture: about a quarter of a voxel behind its 0.5 level
     hit.cutNormal = hit.isCut ? hit.normal : outwards(cutOutward, -ray.world);
-    hit.cutShare = hit.isCut ? 1.0 : 1.0 - smoothstep(0.0, hair, sideAt(hit.voxel));
+    float sideOfFace = cutSideAt(hit.voxel);
+#if defined(FILLED) && FILLED == 2
+    sideOfFace = min(sideOfFace, 0.5 - (filled.x - filled.y));
+#endif
+    hit.cutShare = hit.isCut ? 1.0 : 1.0 - smoothstep(0.0, hair, sideOfFace);
     hit.cutShare = dims.w == 0 || isAlongSegment ? 0.0 : hit.cutShare;
+#endif
+#ifdef FILL_IS_CONTENT
+    if (hit.isFill) {
+        hit.isCut = false;
+        hit.isSegment = false;
+        hit.cutShare = 0.0;
+        hit.normal = outwards(atBorder ? boxNormal(hit.voxel) : -fillGradient(hit.voxel), -ray.world);
+    }
 #endif
     return hit;
 }

@@ -28,6 +28,7 @@ gl::Defines definesFor(const SliceFrame& frame) {
                                           {"SEGMENTED", frame.scene.segmentation != nullptr},
                                           {"TINTED", frame.tintsVisible},
                                           {"MARKS", frame.scene.marks != nullptr}});
+    field::addFill(frame.scene, defines);
     if (frame.detail != nullptr) {
         frame.detail->addDefines(layersOf(frame), defines);
     }
@@ -58,8 +59,7 @@ void SliceRenderer::render(const SliceFrame& asked, double waitMs) {
     if (glm::ivec2(picture_.size()) != view.size) {
         picture_ = gl::Texture(view.size, gl::Format::RGBA8, gl::Filter::Linear, "slice");
     }
-    segmentColours_.upload({glm::ivec3(0), segmentColours_.size()},
-                           std::as_bytes(std::span(frame.segmentColours.entries)));
+    segmentColours_.writeValue(frame.segmentColours);
     const Timer timer;
     const glm::dvec3 middle =
         SliceGeometry(grid, view.kind).voxelAt(view.placeAt(0.5 * glm::dvec2(view.size)), view.index);
@@ -96,7 +96,7 @@ void SliceRenderer::draw(const SliceFrame& frame, gl::Program& program) {
         .set("isSmooth", frame.isSmooth ? 1 : 0)
         .set("window", glm::vec2(frame.window.lo, frame.window.hi))
         .set("segmentLook", glm::vec2(frame.fill, frame.outlinePixels));
-    segmentColours_.bindTexture(kSegmentColoursTexture);
+    segmentColours_.bindUniform(kSegmentColoursBlock);
     sceneBinding_.bind(frame.scene);
     if (frame.detail != nullptr) {
         frame.detail->bind(layersOf(frame));

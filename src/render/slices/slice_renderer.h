@@ -47,8 +47,7 @@ public:
 private:
     gl::ProgramVariants draw_{"render/shaders/draw_slice.comp"};
     field::SceneBinding sceneBinding_;
-    gl::Texture segmentColours_{glm::ivec2(256, 1), gl::Format::RGBA32F, gl::Filter::Nearest,
-                                "segment colours"};
+    gl::Buffer segmentColours_{sizeof(SegmentColours), "segment colours of slices"};
     void draw(const SliceFrame& frame, gl::Program& program);
 
     gl::Texture picture_;

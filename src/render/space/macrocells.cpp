@@ -49,7 +49,8 @@ gl::Defines definesFor(const Macrocells::Input& input) {
                            {"VS_GRADIENTS", gradientCells(input) != nullptr},
                            {"VS_SEGMENTATION", input.segmentationCells != nullptr},
                            {"VS_FINER_SEGMENTS", input.hasFinerSegments},
-                           {"VS_SCULPTURE", isSculpted}});
+                           {"VS_SCULPTURE", isSculpted},
+                           {"VS_FILLED", input.filledCells != nullptr}});
 }
 
 } // namespace
@@ -131,6 +132,9 @@ bool Macrocells::classify(const Input& input, const Box3& box) {
     (input.sculptureCells != nullptr ? *input.sculptureCells : empty_).bindTexture(kSculptureCellsTexture);
     (input.segmentationCells != nullptr ? *input.segmentationCells : empty_)
         .bindTexture(kSegmentationCellsTexture);
+    if (input.filledCells != nullptr) {
+        input.filledCells->bindTexture(kFilledCellsTexture);
+    }
     if (input.classification != nullptr) {
         input.classification->bind();
     }

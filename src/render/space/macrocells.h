@@ -26,6 +26,7 @@ public:
         std::uint64_t dataSerial = 0;                   // of these ranges: others have another
         const gl::Texture* sculptureCells = nullptr;    // null: nothing cut
         const gl::Texture* segmentationCells = nullptr; // null: segmentation is not drawn
+        const gl::Texture* filledCells = nullptr;       // field::FilledCells::filled(); null: no material
         Range visibleRange; // what is visible of the values, with field::withTolerance()
         field::SculptureView view = field::SculptureView::Cut;
         bool drawsData = true; // false: only the segmentation counts

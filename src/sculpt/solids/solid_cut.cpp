@@ -228,10 +228,13 @@ Box3 SolidCutter::run(const Prepare& prepare, Tiles tiles, CutTarget& target, in
     return all;
 }
 
-Box3 SolidCutter::runIn(const CutTarget::Part& part, const Prepare& prepare, const Tiles& tiles, int radius,
+Box3 SolidCutter::runIn(const CutTarget::Part& part, const Prepare& prepare, const Tiles& all, int radius,
                         Combine how) {
+    Tiles tiles = all;
     Box3 box;
-    for (const auto* list : {&tiles.partly, &tiles.wholly}) {
+    for (auto* list : {&tiles.partly, &tiles.wholly}) {
+        std::erase_if(*list,
+                      [&](std::uint32_t number) { return intersect(boxOf(number), part.within).isEmpty(); });
         for (const std::uint32_t number : *list) {
             const Box3 tile = boxOf(number);
             if (part.backup != nullptr) {

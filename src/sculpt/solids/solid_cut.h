@@ -76,7 +76,7 @@ private:
     // Binds what a program for tiles that are cut partly needs, and gives the program.
     using Prepare = std::function<gl::Program&(const CutTarget::Part&)>;
     Box3 run(const Prepare& prepare, Tiles tiles, CutTarget& target, int radius, Combine how);
-    Box3 runIn(const CutTarget::Part& part, const Prepare& prepare, const Tiles& tiles, int radius,
+    Box3 runIn(const CutTarget::Part& part, const Prepare& prepare, const Tiles& all, int radius,
                Combine how);
     void fillBricks(Tiles& tiles, CutTarget& target, Combine how) const;
     [[nodiscard]] Box3 boxOf(std::uint32_t tile) const;

@@ -72,6 +72,7 @@ const field::Detail* Document::detail() const { return impl_->contents.scan.deta
 void Document::setUndoMemory(std::size_t bytes) { impl_->contents.history.setMemoryLimit(bytes); }
 LiveStroke& Document::stroke() { return impl_->liveStroke; }
 const field::SharedMarks& Document::marks() const { return impl_->contents.marks; }
+const Filled& Document::filled() const { return impl_->contents.filled; }
 LiveMark& Document::mark() { return impl_->liveMark; }
 LiveGrowth& Document::growing() { return impl_->liveGrowth; }
 SurfaceQueries& Document::surface() { return impl_->surface; }

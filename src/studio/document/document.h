@@ -122,6 +122,7 @@ public:
     LiveMark& mark();     // what a marking pen does now
     // Colours that were laid on the material.
     [[nodiscard]] const field::SharedMarks& marks() const;
+    [[nodiscard]] const Filled& filled() const;
     LiveGrowth& growing(); // growth that goes on
 
     // --- pictures, and what is where in them

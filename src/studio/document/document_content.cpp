@@ -46,6 +46,7 @@ DocumentContent contentOf(const Document& document) {
     content.segments = document.segments();
     content.measurements = *facts->measurements;
     content.marks = document.marks();
+    content.filled = document.filled();
     for (const PartInfo& part : facts->parts) {
         content.parts.push_back(part.name);
     }
@@ -142,6 +143,7 @@ std::vector<std::string> differences(const DocumentContent& one, const DocumentC
     expectEqual(areAlike(one.runs, other.runs), "how far segments have grown, or by which rules, differs");
     expectEqual(one.segments == other.segments, "the list of segments, or how they look, differs");
     expectEqual(one.measurements == other.measurements, "the measurements differ");
+    expectEqual(one.filled.isAlike(other.filled), "what is filled, or with which materials, differs");
     expectEqual(*one.marks == *other.marks, "the marks differ");
     expectEqual(one.parts == other.parts, "the pasted parts differ");
     expectEqual(one.view == other.view, "the view differs");

@@ -7,6 +7,7 @@
 #include "studio/operations/measuring.h"
 #include "studio/operations/segment_list.h"
 #include "studio/operations/view.h"
+#include "studio/state/filled.h"
 #include "volume/grid/geometry.h"
 
 #include <cstddef>
@@ -34,6 +35,7 @@ struct DocumentContent {
     SegmentList segments;
     std::vector<Measure> measurements;
     field::SharedMarks marks = std::make_shared<const field::Marks>();
+    Filled filled;
     std::vector<std::string> parts; // names of those that were pasted; where they are is in the view
     std::size_t stepsDone = 0;      // of undo
     std::size_t stepsUndone = 0;

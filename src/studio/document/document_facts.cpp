@@ -81,6 +81,8 @@ std::shared_ptr<const DocumentFacts> factsOf(const Contents& contents, std::size
         before.edits->revision == contents.history.revision() ? before.edits : editsOf(contents.history);
     facts->measurements = contents.measurements;
     facts->hasMarks = !contents.marks->isEmpty();
+    facts->hasFill = !contents.filled.fill->isEmpty();
+    facts->materials = contents.filled.materials;
     const bool isMeasured =
         before.measurements == contents.measurements && before.geometry == contents.scan.volume.geometry;
     facts->measured = isMeasured ? before.measured : measuredIn(contents, before);

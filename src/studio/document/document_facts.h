@@ -60,6 +60,8 @@ struct DocumentFacts {
     std::shared_ptr<const std::vector<Measured>> measured = std::make_shared<std::vector<Measured>>();
     Measurements measurements = std::make_shared<std::vector<Measure>>();
     bool hasMarks = false;
+    bool hasFill = false;
+    Materials materials = std::make_shared<const std::vector<Material>>(); // that can be filled in
     std::vector<PartInfo> parts; // that were pasted, in the order of the view's places
     SegmentList segments;
     std::array<std::size_t, 256> voxels{}; // shown of each segment, by its label

@@ -50,7 +50,7 @@ Outcome Document::Impl::run(Operation& operation, const std::filesystem::path& f
             } else if constexpr (requires { run(op); }) {
                 return run(op);
             } else {
-                return runByOneOf(op, cuts, parts, scan, measurements, marks, growth, segmentList,
+                return runByOneOf(op, cuts, parts, scan, measurements, marks, fill, growth, segmentList,
                                   segmentShapes);
             }
         },
@@ -188,6 +188,10 @@ Outcome Document::Impl::travel(Edit& edit, bool isUndo) {
     }
     if (const auto& laid = isUndo ? edit.marksBefore : edit.marksAfter) {
         marks.show(laid);
+    }
+    if (const auto& filled = isUndo ? edit.filledBefore : edit.filledAfter) {
+        outcome.voxelsTouched += field::changedVoxels(*contents.filled.fill, *filled->fill);
+        fill.show(*filled);
     }
     ++contents.version;
     return outcome;

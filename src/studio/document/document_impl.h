@@ -17,6 +17,7 @@
 #include "studio/editing/scan_editor.h"
 #include "studio/editing/segment_list_editor.h"
 #include "studio/editing/segment_shape_editor.h"
+#include "studio/filling/fill_editor.h"
 #include "studio/marking/mark_editor.h"
 
 #include <memory>
@@ -42,12 +43,13 @@ struct Document::Impl {
 
     Contents contents;
     Display display{contents};
-    Cutter cutter{contents.scan.field, contents.sculpture};
+    Cutter cutter{contents.scan.field, contents.sculpture, &contents.filled.fill};
     CutEditor cuts{contents, display, cutter};
     PartEditor parts{contents, display};
     ScanEditor scan{contents, cutter};
     MeasurementEditor measurements{contents};
     MarkEditor marks{contents, display, cutter};
+    FillEditor fill{contents};
     GrowthEditor growth{contents, display, cutter};
     SegmentListEditor segmentList{contents};
     SegmentShapeEditor segmentShapes{contents, display, cutter, cuts};

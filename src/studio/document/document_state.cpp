@@ -27,6 +27,7 @@ DocumentState Document::state() const {
     state.segments = contents.segments;
     state.measurements = contents.measurements;
     state.marks = contents.marks;
+    state.filled = contents.filled;
     KeptPastes pastes;
     state.parts = pastes.saved(contents.pasted);
     state.done = savedEdits(contents.history, contents.history.done(), pastes);
@@ -53,6 +54,7 @@ Document::Document(volume::Volume volume, DocumentState state)
     contents.segments = std::move(state.segments);
     contents.measurements = std::move(state.measurements);
     contents.marks = std::move(state.marks);
+    contents.filled = std::move(state.filled);
     const RestoredPastes pastes(state.pastes, contents.sculpture);
     contents.pasted = pastes.restored(state.parts);
     contents.history.restore(restoredEdits(std::move(state.done), pastes, fence),

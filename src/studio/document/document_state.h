@@ -7,6 +7,7 @@
 #include "segment/growth/growth_undo.h"
 #include "studio/operations/operation.h"
 #include "studio/operations/segment_list.h"
+#include "studio/state/filled.h"
 #include "studio/state/measured.h"
 #include "studio/state/pasted_parts.h"
 #include "volume/grid/geometry.h"
@@ -51,6 +52,8 @@ struct SavedEdit {
     Measurements measurementsAfter = {};
     field::SharedMarks marksBefore = {};
     field::SharedMarks marksAfter = {};
+    std::optional<Filled> filledBefore = {};
+    std::optional<Filled> filledAfter = {};
     bool isLimited = false;
     std::optional<std::uint64_t> cutContent = {};
 };
@@ -70,6 +73,7 @@ struct DocumentState {
     SegmentList segments;
     Measurements measurements = std::make_shared<const std::vector<Measure>>();
     field::SharedMarks marks = std::make_shared<const field::Marks>();
+    Filled filled;
     std::vector<SavedEdit> done;
     std::vector<SavedEdit> undone; // the next to redo last
 };

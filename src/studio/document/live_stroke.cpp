@@ -13,10 +13,18 @@ namespace vs::studio {
 
 void LiveStroke::begin(Operation operation) {
     VS_CHECK(contents_.inHand == InHand::Nothing);
+    const auto fillIn = [&](auto& op) {
+        if constexpr (requires { op.canvas; }) {
+            contents_.fillIn(op.canvas);
+        }
+    };
     std::visit(
         [&](auto& op) {
-            if constexpr (requires { op.canvas; }) {
-                contents_.fillIn(op.canvas);
+            if constexpr (std::is_same_v<std::decay_t<decltype(op)>, Fill> ||
+                          std::is_same_v<std::decay_t<decltype(op)>, Unfill>) {
+                std::visit(fillIn, op.stroke);
+            } else {
+                fillIn(op);
             }
         },
         operation);
@@ -41,7 +49,7 @@ void LiveStroke::clipTo(const Clip& clip) { stroke<ClipStroke>().clipTo(clip); }
 
 Operation LiveStroke::operation() const {
     VS_CHECK(isOpen());
-    const Operation& operation = cuts_.stroke().operation();
+    const Operation operation = cuts_.operation();
     return isByHand_ && cuts_.isRough() ? withoutDetours(operation) : operation;
 }
 
@@ -53,7 +61,7 @@ Outcome LiveStroke::commit() {
         contents_.inHand = cuts_.isOpen() ? InHand::Stroke : InHand::Nothing;
         throw;
     }
-    operation = cuts_.stroke().operation();
+    operation = cuts_.operation();
     auto entry = log_.prepare(operation, contents_.view, contents_.view);
     Outcome outcome;
     try {

@@ -21,7 +21,8 @@ public:
     LiveStroke(Contents& contents, CutEditor& cuts, OperationLog& log)
         : contents_(contents), cuts_(cuts), log_(log) {}
 
-    // A Peel, Drill, Laser or Clip; what it says of layers, pen points and planes is done already.
+    // A Peel, Drill, Laser or Clip, or a Fill or Unfill by one; what it says of layers, pen points and planes
+    // is done already.
     void begin(Operation operation);
     void peelTo(double layers);               // the total so far; fewer than before puts layers back
     void drawAt(const sculpt::PenPoint& pen); // drill and laser

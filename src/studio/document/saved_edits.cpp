@@ -49,6 +49,8 @@ SavedEdit savedEdit(const History& history, const Edit& edit, bool isDone, KeptP
     saved.measurementsAfter = edit.measurementsAfter;
     saved.marksBefore = edit.marksBefore;
     saved.marksAfter = edit.marksAfter;
+    saved.filledBefore = edit.filledBefore;
+    saved.filledAfter = edit.filledAfter;
     saved.isLimited = edit.isLimited;
     saved.cutContent = edit.cutContent;
     return saved;
@@ -78,6 +80,8 @@ Edit restoredEdit(SavedEdit saved, const RestoredPastes& pastes, const gl::Textu
     edit.measurementsAfter = std::move(saved.measurementsAfter);
     edit.marksBefore = std::move(saved.marksBefore);
     edit.marksAfter = std::move(saved.marksAfter);
+    edit.filledBefore = std::move(saved.filledBefore);
+    edit.filledAfter = std::move(saved.filledAfter);
     edit.trim = std::move(saved.trim);
     edit.isLimited = saved.isLimited;
     edit.cutContent = saved.cutContent;

@@ -8,8 +8,8 @@
 namespace vs::studio {
 
 Contents::Contents(volume::Volume volume, sculpt::Precision precision)
-    : scan(std::move(volume)), sculpture(scan.volume.geometry.dims, precision),
-      region(scan.field, sculpture) {
+    : scan(std::move(volume)), sculpture(scan.volume.geometry.dims, precision), region(scan.field, sculpture),
+      filled(scan.volume.geometry.dims) {
     view.range = scan.shown;
 }
 

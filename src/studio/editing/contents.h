@@ -8,6 +8,7 @@
 #include "studio/editing/scan.h"
 #include "studio/operations/segment_list.h"
 #include "studio/operations/view.h"
+#include "studio/state/filled.h"
 #include "studio/state/history.h"
 #include "studio/state/measured.h"
 #include "studio/state/pasted_parts.h"
@@ -51,6 +52,7 @@ struct Contents {
     SegmentList segments;
     Measurements measurements = std::make_shared<const std::vector<Measure>>();
     field::SharedMarks marks = std::make_shared<const field::Marks>();
+    Filled filled;
     View view;
     History history;
     std::uint64_t version = 0;      // counts changes that pictures can show

@@ -4,6 +4,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "studio/strokes/keep_connected_stroke.h"
+#include "studio/strokes/patch_stroke.h"
 #include "studio/strokes/peel_stroke.h"
 #include "studio/strokes/pen_stroke.h"
 #include "studio/strokes/segment_stroke.h"
@@ -78,7 +79,40 @@ void CutEditor::settle(const Operation& operation) {
     }
 }
 
-void CutEditor::open(Cutter& cutter, const Operation& operation) {
+// The stroke that fills, or takes what is filled away, and what it is to change.
+template <typename Use>
+bool useFilling(const Operation& operation, Use use) {
+    if (const auto* fill = std::get_if<Fill>(&operation)) {
+        std::visit(
+            [&](const auto& op) {
+                use(op, {Cutter::Aim::At::Fill, std::uint8_t(fill->material)});
+            },
+            fill->stroke);
+        return true;
+    }
+    if (const auto* unfill = std::get_if<Unfill>(&operation)) {
+        std::visit([&](const auto& op) { use(op, Cutter::Aim{Cutter::Aim::At::Filled}); }, unfill->stroke);
+        return true;
+    }
+    return false;
+}
+
+void CutEditor::open(Cutter& cutter, const Operation& operation, const Cutter::Aim& aim) {
+    if (const auto* hole = std::get_if<FillHole>(&operation);
+        hole != nullptr && aim.at == Cutter::Aim::At::All) {
+        const Cutter::Aim its{Cutter::Aim::At::Fill, std::uint8_t(hole->material)};
+        checkFilling(its);
+        open(cutter, operation, its);
+        return;
+    }
+    const bool isFilling = useFilling(operation, [&](const auto& stroke, const Cutter::Aim& its) {
+        checkFilling(its);
+        open(cutter, stroke, its);
+    });
+    if (isFilling) {
+        return;
+    }
+    cutter.aim = aim;
     const auto onCanvas = [this](const std::optional<Canvas>& canvas) {
         return [this, canvas] { return display_.frame(canvas->view, canvas->viewport); };
     };
@@ -96,6 +130,8 @@ void CutEditor::open(Cutter& cutter, const Operation& operation) {
             return std::make_unique<ClipStroke>(cutter, op);
         } else if constexpr (std::is_same_v<Op, KeepConnected>) {
             return std::make_unique<KeepConnectedStroke>(cutter, onCanvas(op.canvas), contents_.region, op);
+        } else if constexpr (std::is_same_v<Op, FillHole>) {
+            return std::make_unique<PatchStroke>(cutter, onCanvas(op.canvas), contents_.scan.volume, op);
         } else if constexpr (std::is_same_v<Op, CutSegment>) {
             return std::make_unique<SegmentStroke>(cutter, contents_.region, contents_.scan.field,
                                                    contents_.segments.working(), op);
@@ -105,10 +141,43 @@ void CutEditor::open(Cutter& cutter, const Operation& operation) {
     };
     stroke_ = std::visit(make, operation);
     VS_CHECK(stroke_ != nullptr);
+    aim_ = aim;
     contents_.cuttingSince.reset();
     if (stroke_->onlyCuts()) {
         contents_.cuttingSince = stroke_->sculptureVersion();
     }
+}
+
+void CutEditor::checkFilling(const Cutter::Aim& aim) const {
+    if (cutter_.cutsFiner()) {
+        throw Error("this scan is worked on at a coarser level than its finest, where nothing can be filled: "
+                    "open it at its finest");
+    }
+    const std::size_t count = contents_.filled.materials->size();
+    if (aim.at == Cutter::Aim::At::Fill && aim.material > count) {
+        throw Error("material: {} must be one of the materials that there are ({}); `material` adds them",
+                    aim.material, count);
+    }
+}
+
+Operation CutEditor::operation() const {
+    const Operation& drawn = stroke_->operation();
+    if (aim_.at != Cutter::Aim::At::Fill && aim_.at != Cutter::Aim::At::Filled) {
+        return drawn;
+    }
+    return std::visit(
+        [&](const auto& op) -> Operation {
+            if constexpr (std::is_constructible_v<decltype(Unfill::stroke), decltype(op)>) {
+                if (aim_.at == Cutter::Aim::At::Filled) {
+                    return Unfill{op};
+                }
+            }
+            if constexpr (std::is_constructible_v<decltype(Fill::stroke), decltype(op)>) {
+                return Fill{aim_.material, op};
+            }
+            return op;
+        },
+        drawn);
 }
 
 void CutEditor::forget() {
@@ -146,13 +215,26 @@ void CutEditor::remember(const Operation& operation, sculpt::SculptureDelta& cut
         contents_.sculpture.refresh(trim.box()); // parts that were drawn meanwhile were without it
         edit.trim = std::move(trim);
     }
-    edit.cut = std::move(cut);
+    if (!cut.isEmpty()) {
+        edit.cut = std::move(cut);
+    }
+    if (stroke_->fillBefore() != nullptr && stroke_->fillBefore() != contents_.filled.fill) {
+        edit.filledAfter = contents_.filled;
+        edit.filledBefore = contents_.filled;
+        edit.filledBefore->fill = stroke_->fillBefore();
+    }
     contents_.remember(std::move(edit));
 }
 
-Phrase CutEditor::saidOf(const sculpt::SculptureDelta& delta) const {
-    if (!delta.isEmpty()) {
-        return say(VS_TEXT("library", "%1 voxels changed"), delta.changedVoxels());
+Phrase CutEditor::saidOf(std::size_t changedVoxels) const {
+    if (changedVoxels > 0) {
+        return say(VS_TEXT("library", "%1 voxels changed"), changedVoxels);
+    }
+    if (aim_.at == Cutter::Aim::At::Fill) {
+        return say(VS_TEXT("library", "nothing was filled: no surface is seen there"));
+    }
+    if (aim_.at == Cutter::Aim::At::Filled) {
+        return say(VS_TEXT("library", "nothing was taken away: nothing is filled there"));
     }
     if (contents_.sculpture.isLimited()) {
         return say(
@@ -176,9 +258,16 @@ Outcome CutEditor::finish() {
     Outcome outcome;
     outcome.voxelsTouched = delta.changedVoxels();
     try {
-        outcome.message = saidOf(delta);
-        if (!delta.isEmpty()) {
-            remember(stroke_->operation(), delta, contents_.sculpture.isLimited());
+        if (const field::SharedFill& before = stroke_->fillBefore();
+            before != nullptr && before != contents_.filled.fill) {
+            outcome.voxelsTouched += field::changedVoxels(*before, *contents_.filled.fill);
+            if (!field::FillTexture::hasRoomFor(*contents_.filled.fill)) {
+                throw Error("material would lie in more places than this device has room for: fill less");
+            }
+        }
+        outcome.message = saidOf(outcome.voxelsTouched);
+        if (outcome.voxelsTouched > 0) {
+            remember(operation(), delta, contents_.sculpture.isLimited());
         }
     } catch (...) {
         stroke_->takeBack(delta);
@@ -189,6 +278,33 @@ Outcome CutEditor::finish() {
     forget();
     return outcome;
 }
+
+template <typename Filling>
+Outcome CutEditor::fillAtOnce(Filling& op) {
+    if (const Fault fault = op.faultOf(); !fault.wanted.empty()) {
+        throw Error("{}: {}", fault.place, fault.wanted);
+    }
+    std::visit(
+        [&](auto& stroke) {
+            if constexpr (requires { stroke.canvas; }) {
+                contents_.fillIn(stroke.canvas);
+            }
+        },
+        op.stroke);
+    begin(op);
+    try {
+        stroke_->replay();
+    } catch (...) {
+        discard();
+        throw;
+    }
+    op = std::get<Filling>(operation());
+    return finish();
+}
+
+Outcome CutEditor::run(Fill& op) { return fillAtOnce(op); }
+Outcome CutEditor::run(FillHole& op) { return cutAtOnce(op); }
+Outcome CutEditor::run(Unfill& op) { return fillAtOnce(op); }
 
 template <typename Cut>
 Outcome CutEditor::cutAtOnce(Cut& op) {
@@ -266,7 +382,8 @@ segment::FineSet CutEditor::takeBackAndTellFinest(sculpt::SculptureDelta& delta)
 template <typename Tell>
 auto CutEditor::cutAndTakeBack(const BrushSegment& op, Tell takeBackAndTell) {
     const std::uint64_t content = contents_.sculpture.contentVersion();
-    std::visit([&](const auto& drawn) { open(cutter_, drawn); }, op.stroke);
+    const Cutter::Aim scanAlone{Cutter::Aim::At::Scan};
+    std::visit([&](const auto& drawn) { open(cutter_, drawn, scanAlone); }, op.stroke);
     sculpt::SculptureDelta delta;
     try {
         stroke_->replay();

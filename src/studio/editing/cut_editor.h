@@ -16,7 +16,8 @@ namespace vs::studio {
 // stretch; where it digs deeper at each, they mean more than the way, and stay. Other operations as they are.
 Operation withoutDetours(Operation operation);
 
-// Carries out the operations that cut and restore, all at once or as a stroke that is seen while it goes on.
+// Carries out the operations that cut and restore, and those that fill by a stroke and take that away, all at
+// once or as a stroke that is seen while it goes on.
 // run() writes what the stroke has found into the operation and remembers it as a step; it throws Error
 // before anything has changed. If something is thrown in the midst of a stroke (a device without room),
 // everything is as before.
@@ -34,6 +35,9 @@ public:
     Outcome run(Clip& op);
     Outcome run(KeepConnected& op);
     Outcome run(CutSegment& op);
+    Outcome run(Fill& op);
+    Outcome run(FillHole& op);
+    Outcome run(Unfill& op);
 
     // Opens the stroke of an operation that cuts, whose canvas is set, within the limits that hold for tools;
     // then there is a stroke(), until finish() makes a step of it or discard() leaves no trace.
@@ -48,6 +52,8 @@ public:
     [[nodiscard]] bool isOpen() const { return stroke_ != nullptr; }
     [[nodiscard]] CutStroke& stroke() { return *stroke_; }
     [[nodiscard]] const CutStroke& stroke() const { return *stroke_; }
+    // The operation that the stroke has become so far.
+    [[nodiscard]] Operation operation() const;
     Outcome finish();
     void discard();
 
@@ -61,8 +67,9 @@ private:
     template <typename Cut>
     Outcome cutAtOnce(Cut& op);
     void begin(Cutter& cutter, const Operation& operation);
-    void open(Cutter& cutter, const Operation& operation); // a stroke without limits
-    void forget();                                         // the stroke
+    // A stroke without limits.
+    void open(Cutter& cutter, const Operation& operation, const Cutter::Aim& aim = {});
+    void forget(); // the stroke
     segment::VoxelSet takeBackAndTell(sculpt::SculptureDelta& delta, const std::optional<Range>& seen);
     segment::FineSet takeBackAndTellFinest(sculpt::SculptureDelta& delta);
     // The range that what a brush adds must lie in.
@@ -73,13 +80,17 @@ private:
     // Remembers a cut that has been made as a step, with what it does to what is trimmed. If there is no
     // memory for that, it throws, and whoever made the cut must take it back.
     void remember(const Operation& operation, sculpt::SculptureDelta& cut, bool isLimited);
-    [[nodiscard]] Phrase saidOf(const sculpt::SculptureDelta& delta) const;
+    [[nodiscard]] Phrase saidOf(std::size_t changedVoxels) const;
+    template <typename Filling>
+    Outcome fillAtOnce(Filling& op);
+    void checkFilling(const Cutter::Aim& aim) const;
 
     Contents& contents_;
     Display& display_;
     Cutter& cutter_;
     ToolLimits limits_;
     std::unique_ptr<CutStroke> stroke_; // the one that is open
+    Cutter::Aim aim_;                   // and what it changes
 };
 
 } // namespace vs::studio

@@ -18,6 +18,7 @@ Pipeline::State Display::stateOf(const View& from, double segmentsMs) const {
                           : segment::Smoothing::Smooth;
     state.segmentsMs = segmentsMs;
     state.marks = contents_->marks;
+    state.filled = contents_->filled;
     state.greyWindow = contents_->scan.grey;
     state.cuttingSince = contents_->cuttingSince;
     return state;

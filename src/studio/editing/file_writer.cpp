@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/editing/file_writer.h"
 
+#include "field/fill/fill_labels.h"
 #include "image/image.h"
+#include "mesh/fill_surface.h"
+#include "mesh/write_mesh.h"
 #include "render/marks/draw_annotations.h"
 #include "studio/editing/measurement_marks.h"
 #include "studio/editing/stroke_marks.h"
@@ -99,6 +102,39 @@ Outcome FileWriter::run(const SaveMarks& op, const std::filesystem::path& folder
     }
     const volume::GridGeometry& grid = contents_.scan.volume.geometry;
     volume::writeColours(folder / op.file, grid, field::coloursOfVoxels(*contents_.marks));
+    return {{}, 0, 0, say("%1", op.file)};
+}
+
+Outcome FileWriter::run(const SaveFill& op, const std::filesystem::path& folder) {
+    if (contents_.filled.fill->isEmpty()) {
+        throw Error("{}: nothing is filled that could be written", op.file);
+    }
+    const auto labels = field::materialLabels(*contents_.filled.fill);
+    volume::writeGrid(folder / op.file, contents_.scan.volume.geometry,
+                      std::span<const std::uint8_t>(labels));
+    return {{}, 0, contents_.filled.fill->voxels(), say("%1", op.file)};
+}
+
+Outcome FileWriter::run(const SaveFillSurface& op, const std::filesystem::path& folder) {
+    const auto count = int(contents_.filled.materials->size());
+    if (op.material && *op.material > count) {
+        throw Error("material: {} must be one of the materials that there are ({})", *op.material, count);
+    }
+    std::vector<mesh::Mesh> meshes;
+    for (int material = op.material.value_or(1); material <= op.material.value_or(count); ++material) {
+        mesh::Mesh mesh =
+            mesh::fillSurface(*contents_.filled.fill, std::uint8_t(material), contents_.scan.volume.geometry);
+        const Material& about = contents_.filled.materials->at(std::size_t(material - 1));
+        mesh.name = about.name;
+        mesh.colour = about.colour;
+        if (!mesh.triangles.empty()) {
+            meshes.push_back(std::move(mesh));
+        }
+    }
+    if (meshes.empty()) {
+        throw Error("{}: nothing is filled that could be written", op.file);
+    }
+    mesh::writeMeshes(folder / op.file, meshes);
     return {{}, 0, 0, say("%1", op.file)};
 }
 

@@ -29,6 +29,8 @@ public:
     // `drawn`: the strokes that the picture shows, if it shows any.
     Outcome run(const SavePicture& op, const std::filesystem::path& folder, const Drawn& drawn);
     Outcome run(const SaveMarks& op, const std::filesystem::path& folder);
+    Outcome run(const SaveFill& op, const std::filesystem::path& folder);
+    Outcome run(const SaveFillSurface& op, const std::filesystem::path& folder);
     Outcome run(const SaveLabels& op, const std::filesystem::path& folder);
     Outcome run(const SaveSculpture& op, const std::filesystem::path& folder);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/editing/pipeline.h"
 
+#include "render/colours/colour.h"
 #include "render/colours/function_edits.h"
 #include "studio/editing/shown_places.h"
 
@@ -15,6 +16,7 @@ Pipeline::Pipeline(const field::Field& field)
 void Pipeline::showFiner(field::Detail& detail, field::CellRanges cells) {
     detail_ = &detail;
     cellRanges_ = std::move(cells);
+    filledCells_ = {};
     segmentsLaid_ = {};
     cells_.key.reset();
     light_.key.reset();
@@ -126,6 +128,7 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
     const bool isSculpted = !state.sculpture->isEmpty();
     field::Scene scene;
     scene.data = field_;
+    scene.view = isSculpted ? state.view->sculptureView : field::SculptureView::Whole;
     scene.sculpture = isSculpted ? &state.sculpture->texels() : nullptr;
     layCuts(state);
     scene.hasFinerCuts = isSculpted && state.sculpture->finer() != nullptr && detail_ != nullptr &&
@@ -144,12 +147,28 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
     }
     marks_.show(state.marks);
     scene.marks = marks_.isEmpty() ? nullptr : &marks_;
+    fill_.show(state.filled.fill);
+    // The view of what was cut shows what is gone, and no material.
+    const bool showsFill = !fill_.isEmpty() && scene.view != field::SculptureView::Probe;
+    scene.fill = showsFill ? &fill_ : nullptr;
+    scene.materials = shownMaterials(state);
     scene.displayedRange = state.view->range;
     scene.showsAbove = state.view->showsAbove();
     scene.greyWindow = state.greyWindow;
-    scene.view = isSculpted ? state.view->sculptureView : field::SculptureView::Whole;
     scene.sampling = state.view->sampling;
     return scene;
+}
+
+field::ShownMaterials Pipeline::shownMaterials(const State& state) const {
+    const View& view = *state.view;
+    const Range seen = field::withTolerance(view.visibleRange(field_->range), *field_);
+    field::ShownMaterials shown;
+    for (const Material& material : *state.filled.materials) {
+        const bool isInRange = view.mode == render::Mode::Volume || seen.contains(material.value);
+        shown.push_back({glm::vec3(render::linearFromDisplay(material.colour)), float(material.value),
+                         material.isVisible && isInRange});
+    }
+    return shown;
 }
 
 bool Pipeline::usesLabels(const State& state) { return state.growth->hasOthers() || state.finest != nullptr; }
@@ -230,6 +249,11 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
             view.sampling,
             frame.scene.smoothed != nullptr ? view.surfaceSmoothing : 0,
             hasSurfaces && frame.scene.hasFinerSegments};
+    if (frame.scene.fill != nullptr) {
+        filledCells_.update(cellRanges_.cells, field_->serial, fill_.shown(), frame.scene.materials);
+        key.fill = fill_.shown();
+        key.fillSerial = filledCells_.serial();
+    }
     refresh(cells_, key, state, frame, isSculpted ? &state.sculpture->cells() : nullptr,
             segmentation_ ? &*segmentation_ : nullptr);
     frame.macrocells = &cells_.macrocells;
@@ -273,6 +297,7 @@ PictureContent Pipeline::contentOf(const State& state, const render::Frame& fram
         frame.scene.sculpture == nullptr && view.sculptureView == field::SculptureView::Probe;
     content.isCutAlongSegments = frame.scene.isCutAlongSegments;
     content.marks = state.marks;
+    content.filled = state.filled;
     content.isLocal = frame.pasted.empty() && frame.pulled.empty() && frame.occlusion == nullptr;
     content.segments.making = segmentationsMade_;
     if (frame.scene.segmentation != nullptr) {
@@ -391,6 +416,7 @@ void Pipeline::addParts(render::Frame& frame, Key key, const State& state) {
         refresh(stages.cells, key, state, frame, parts[i].cells, segmentation);
         render::PastedPart part{places[i], parts[i].texels, &stages.cells.macrocells};
         field::Scene scene = frame.scene;
+        scene.fill = nullptr; // parts are of the scan alone
         scene.sculpture = part.sculpture;
         if (key.drawsSegmentation) {
             scene.segmentation = part.segmentation = &segmentation->texels();

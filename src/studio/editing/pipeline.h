@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field/bricks/detail.h"
+#include "field/filled_cells.h"
 #include "field/marks/mark_texture.h"
 #include "field/smoothed_field.h"
 #include "render/rays/ray_caster.h"
@@ -42,6 +43,7 @@ public:
         segment::Smoothing smoothing = segment::Smoothing::Smooth;
         double segmentsMs = segment::Segmentation::kNoHurry; // that bringing the segments up to date may take
         field::SharedMarks marks;
+        Filled filled;
         Range greyWindow;
         // The sculpture's version when the stroke in hand began. While it cuts, the macrocells of that moment
         // hold everything that can be seen, and are kept so that a stamp costs only what it touches.
@@ -86,6 +88,8 @@ private:
         field::Sampling sampling = field::Sampling::Trilinear;
         double surfaceSmoothing = 0; // steps
         bool hasFinerSegments = false;
+        field::SharedFill fill = {};  // null: none is shown
+        std::uint64_t fillSerial = 0; // of the ranges with it
         bool operator==(const Key&) const = default;
     };
 
@@ -103,6 +107,8 @@ private:
     std::optional<segment::Segmentation> segmentation_; // made when first drawn
     int segmentationsMade_ = 0;
     field::MarkTexture marks_;
+    field::FillTexture fill_;
+    field::FilledCells filledCells_;
     PictureContent content_; // of the last frame
     // The same for pasted parts, while they are drawn beside what is left and growth had a fence.
     std::optional<segment::Segmentation> partSegmentation_;
@@ -137,6 +143,8 @@ private:
     // What shaders see of the document, with the segments if they are wanted; brings those up to date.
     field::Scene scene(const State& state, bool wantsSegments);
     static segment::Looks looksOf(const SegmentList& list);
+    // What pictures show of materials.
+    [[nodiscard]] field::ShownMaterials shownMaterials(const State& state) const;
     void layCuts(const State& state);
     void laySegments(const State& state);
     // What the viewer does not see of the sculpture in a view.

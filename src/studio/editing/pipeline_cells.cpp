@@ -28,12 +28,17 @@ std::optional<Box3> Pipeline::changedVoxels(const Key& before, const Key& now,
     same.sculptureVersion = now.sculptureVersion;
     same.segmentationVersion = now.segmentationVersion;
     same.drawsSegmentation = now.drawsSegmentation;
+    same.fill = now.fill;
+    same.fillSerial = now.fillSerial;
+    const bool haveFill = before.fill != nullptr && now.fill != nullptr;
     const bool hasSegments = before.drawsSegmentation || now.drawsSegmentation;
-    if (same != now || now.part != nullptr || (hasSegments && segmentation == nullptr)) {
+    if (same != now || now.part != nullptr || (hasSegments && segmentation == nullptr) ||
+        (!haveFill && before.fill != now.fill)) {
         return std::nullopt;
     }
     const bool haveStayed = before.drawsSegmentation && now.drawsSegmentation;
-    const Box3 cut = sculpture.changedSince(before.sculptureVersion);
+    const Box3 cut = unite(sculpture.changedSince(before.sculptureVersion),
+                           haveFill ? field::changedBetween(*before.fill, *now.fill) : Box3());
     return hasSegments ? unite(cut, segmentation->changedSince(haveStayed ? before.segmentationVersion : 0))
                        : cut;
 }
@@ -55,6 +60,13 @@ void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const r
     render::Macrocells::Input input;
     input.dataCells = key.surfaceSmoothing > 0 ? &smoothed_->cells.cells : &cellRanges_.cells;
     input.dataSerial = key.surfaceSmoothing > 0 ? smoothed_->field.serial : field_->serial;
+    if (key.fill != nullptr) {
+        input.filledCells = &filledCells_.filled();
+        if (!(key.surfaceSmoothing > 0)) {
+            input.dataCells = &filledCells_.ranges();
+            input.dataSerial = filledCells_.serial();
+        }
+    }
     input.sculptureCells = sculptureCells;
     input.segmentationCells = key.drawsSegmentation ? &segmentation->cells() : nullptr;
     input.visibleRange = field::withTolerance(key.range, *field_);
@@ -202,8 +214,12 @@ void Pipeline::refresh(Light& light, Key key, const State& state, const field::S
     input.drawsSegmentation = key.drawsSegmentation;
     Key before = light.key.value_or(key);
     const std::uint64_t version = std::exchange(before.sculptureVersion, key.sculptureVersion);
-    if (light.key && before == key) { // nothing but cuts since
-        light.occlusion.update(input, state.sculpture->changedSince(version));
+    const field::SharedFill fill = std::exchange(before.fill, key.fill);
+    before.fillSerial = key.fillSerial;
+    const bool haveFill = fill == key.fill || (fill != nullptr && key.fill != nullptr);
+    if (light.key && before == key && haveFill) { // nothing but cuts, and filling, since
+        const Box3 filled = fill == key.fill ? Box3() : field::changedBetween(*fill, *key.fill);
+        light.occlusion.update(input, unite(state.sculpture->changedSince(version), filled));
     } else {
         light.occlusion.rebuild(input);
     }

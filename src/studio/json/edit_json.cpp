@@ -2,6 +2,7 @@
 #include "studio/json/edit_json.h"
 
 #include "base/described_json.h"
+#include "studio/json/filled_json.h"
 #include "studio/json/growth_json.h"
 #include "studio/json/marks_json.h"
 #include "studio/json/operation_json.h"
@@ -33,6 +34,8 @@ void forEachPart(E& edit, Visit visit) {
     visit("measurementsAfter", edit.measurementsAfter);
     visit("marksBefore", edit.marksBefore);
     visit("marksAfter", edit.marksAfter);
+    visit("filledBefore", edit.filledBefore);
+    visit("filledAfter", edit.filledAfter);
 }
 
 Json writePart(StateWriter& file, const std::optional<sculpt::BrickDelta>& part) {
@@ -43,6 +46,7 @@ Json writePart(StateWriter&, const std::optional<SegmentList>& part) { return vs
 Json writePart(StateWriter&, const std::optional<volume::GridGeometry>& part) { return stored(*part); }
 Json writePart(StateWriter&, const Measurements& part) { return stored(part); }
 Json writePart(StateWriter& file, const field::SharedMarks& part) { return stored(file, part); }
+Json writePart(StateWriter& file, const std::optional<Filled>& part) { return stored(file, *part); }
 
 void readPart(StateReader& file, const JsonReader& from, glm::ivec3 dims,
               std::optional<sculpt::BrickDelta>& part) {
@@ -57,6 +61,9 @@ void readPart(StateReader&, const JsonReader& from, glm::ivec3, std::optional<Se
 void readPart(StateReader&, const JsonReader& from, glm::ivec3 dims,
               std::optional<volume::GridGeometry>& part) {
     part = readGeometry(from, dims);
+}
+void readPart(StateReader& file, const JsonReader& from, glm::ivec3 dims, std::optional<Filled>& part) {
+    part = readFilled(file, from, dims);
 }
 void readPart(StateReader& file, const JsonReader& from, glm::ivec3 dims, field::SharedMarks& part) {
     part = readMarks(file, from, dims);

@@ -3,6 +3,7 @@
 
 #include "base/described_json.h"
 #include "studio/json/edit_json.h"
+#include "studio/json/filled_json.h"
 #include "studio/json/growth_json.h"
 #include "studio/json/kept_json.h"
 #include "studio/json/marks_json.h"
@@ -35,6 +36,9 @@ nlohmann::ordered_json stored(StateWriter& file, const DocumentState& state) {
     if (!state.marks->isEmpty()) {
         json["marks"] = stored(file, state.marks);
     }
+    if (!state.filled.materials->empty()) {
+        json["filled"] = stored(file, state.filled);
+    }
     if (state.trimmed) {
         json["trimmed"] = stored(file, *state.trimmed);
     }
@@ -65,6 +69,8 @@ DocumentState readState(StateReader& file, glm::ivec3 dims) {
     vs::read(from.member("segments"), state.segments, Rule());
     state.measurements = readMeasurements(from.member("measurements"));
     from.ifHas("marks", [&](const JsonReader& r) { state.marks = readMarks(file, r, dims); });
+    state.filled = Filled(dims);
+    from.ifHas("filled", [&](const JsonReader& r) { state.filled = readFilled(file, r, dims); });
     from.ifHas("trimmed", [&](const JsonReader& r) { state.trimmed = readDelta(file, r, dims); });
     forEachIn(from.member("pastes"),
               [&](const JsonReader& one) { state.pastes.push_back(readDelta(file, one, dims)); });

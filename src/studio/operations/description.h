@@ -14,6 +14,7 @@ enum class Effect {
     Lays,        // says where the scan's voxels lie
     Segments,    // changes segments, or what they may grow into
     Travels,     // goes back and forward in the history
+    Fills,       // adds material, or takes it away
     Marks,       // lays colours on the material, or takes them away
     Measures,    // changes the list of measurements
     Remarks,     // changes nothing that can be seen: stands in the history to be read

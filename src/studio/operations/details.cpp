@@ -40,6 +40,25 @@ std::vector<Phrase> Laser::details() const { return withRestore(*this); }
 std::vector<Phrase> Sweep::details() const { return withRestore(*this); }
 std::vector<Phrase> Clip::details() const { return withRestore(*this); }
 
+std::vector<Phrase> SetMaterial::details() const {
+    return {name ? inQuotes(*name) : say(VS_TEXT("library", "number %1"), number)};
+}
+
+namespace {
+template <typename Stroke>
+Phrase strokeSaid(const Stroke& stroke) {
+    return std::visit([](const auto& op) { return Phrase{std::decay_t<decltype(op)>::kAbout.name}; }, stroke);
+}
+} // namespace
+
+std::vector<Phrase> Fill::details() const {
+    return {strokeSaid(stroke), say(VS_TEXT("library", "material %1"), material)};
+}
+std::vector<Phrase> FillHole::details() const {
+    return {say(VS_TEXT("library", "material %1"), material)};
+}
+std::vector<Phrase> Unfill::details() const { return {strokeSaid(stroke)}; }
+
 std::vector<Phrase> Mark::details() const {
     std::vector<Phrase> said;
     if (erases) {

@@ -11,6 +11,7 @@ namespace {
 struct Drawing {
     Drawn operator()(const Peel& op) const { return masked(op.mask, op.canvas); }
     Drawn operator()(const Scissors& op) const { return masked(op.outline, op.canvas); }
+    Drawn operator()(const FillHole& op) const { return masked(op.outline, op.canvas); }
     Drawn operator()(const Drill& op) const { return carried(op); }
     Drawn operator()(const Laser& op) const { return carried(op); }
     Drawn operator()(const Sweep& op) const {
@@ -27,15 +28,19 @@ struct Drawing {
         return op.kind == Mark::Kind::Area ? masked(op.sketch, op.canvas)
                                            : strokes({op.sketch}, 1, op.canvas);
     }
-    Drawn operator()(const BrushSegment& op) const {
-        return std::visit([this](const auto& stroke) { return (*this)(stroke); }, op.stroke);
-    }
+    Drawn operator()(const BrushSegment& op) const { return of(op.stroke); }
+    Drawn operator()(const Fill& op) const { return of(op.stroke); }
+    Drawn operator()(const Unfill& op) const { return of(op.stroke); }
     template <typename Op>
     Drawn operator()(const Op&) const {
         return {};
     }
 
 private:
+    template <typename Stroke>
+    [[nodiscard]] Drawn of(const Stroke& stroke) const {
+        return std::visit([this](const auto& op) { return (*this)(op); }, stroke);
+    }
     static Drawn masked(const Sketch& mask, const std::optional<Canvas>& canvas) {
         return {.areas = {outlineOf(mask)}, .canvas = canvas};
     }

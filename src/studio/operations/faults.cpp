@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is wrong with operations whose members are right one by one.
 #include "marking/pen_letters.h"
+#include "studio/operations/filling.h"
 #include "studio/operations/housekeeping.h"
 #include "studio/operations/marking.h"
 #include "studio/operations/measuring.h"
@@ -41,6 +42,18 @@ Fault Clip::faultOf() const {
     }
     return {};
 }
+
+namespace {
+template <typename Stroke>
+Fault faultOfFill(const Stroke& stroke) {
+    const bool restores = std::visit([](const auto& op) { return op.restores; }, stroke);
+    return restores ? Fault{"stroke", "a stroke that restores neither fills nor takes away what is filled"}
+                    : Fault();
+}
+} // namespace
+
+Fault Fill::faultOf() const { return faultOfFill(stroke); }
+Fault Unfill::faultOf() const { return faultOfFill(stroke); }
 
 Fault Mark::faultOf() const {
     if (!pressures.empty() && pressures.size() != sketch.points.size()) {

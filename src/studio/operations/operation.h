@@ -2,6 +2,7 @@
 #pragma once
 
 #include "studio/operations/correcting.h"
+#include "studio/operations/filling.h"
 #include "studio/operations/filming.h"
 #include "studio/operations/housekeeping.h"
 #include "studio/operations/marking.h"
@@ -26,9 +27,10 @@ struct JoinedVariants<std::variant<A...>, std::variant<B...>, More...>
 
 // The operations: one document change each, as values. The window, the command line and a replayed session
 // all make these, and nothing else changes a document. doc/contributing.md says how to add one.
-using Operation = JoinedVariants<std::variant<SetView>, SculptingOperations, SweepingOperations,
-                                 SegmentingOperations, MeasuringOperations, CorrectingOperations,
-                                 HousekeepingOperations, FilmingOperations, MarkingOperations>::Type;
+using Operation =
+    JoinedVariants<std::variant<SetView>, SculptingOperations, SweepingOperations, SegmentingOperations,
+                   MeasuringOperations, CorrectingOperations, HousekeepingOperations, FilmingOperations,
+                   MarkingOperations, FillingOperations>::Type;
 
 // What an operation is called, what it does, and its icon.
 const About& about(const Operation& operation);

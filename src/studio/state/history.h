@@ -5,6 +5,7 @@
 #include "sculpt/sculpture/sculpture_delta.h"
 #include "studio/operations/operation.h"
 #include "studio/operations/segment_list.h"
+#include "studio/state/filled.h"
 #include "studio/state/measured.h"
 #include "studio/state/pasted_parts.h"
 #include "studio/state/region_undo.h"
@@ -38,6 +39,9 @@ struct Edit {
     // The marks before and after, where the operation changed them; both share what they have in common.
     field::SharedMarks marksBefore = {};
     field::SharedMarks marksAfter = {};
+    // What is filled before and after, where the operation changed it; they share bricks, too.
+    std::optional<Filled> filledBefore = {};
+    std::optional<Filled> filledAfter = {};
     // What it changed of what was trimmed (sculpt::Trimmed); it stays in memory.
     std::optional<sculpt::BrickDelta> trim = {};
     bool isLimited = false; // the cut spared segments, or took nothing else

@@ -52,8 +52,15 @@ std::optional<Box3> changedBetween(const PictureContent& before, const PictureCo
     if (marksMoved) {
         return std::nullopt;
     }
+    const bool materialsChanged = !(*before.filled.materials == *now.filled.materials) &&
+                                  !(before.filled.fill->isEmpty() && now.filled.fill->isEmpty());
+    if (materialsChanged) {
+        return std::nullopt;
+    }
+    const Box3 filled = field::changedBetween(*before.filled.fill, *now.filled.fill);
     const Box3 marked = field::changedBetween(*before.marks, *now.marks);
-    const Box3 box = unite(unite(*segments, marked), sculpture.changedSince(before.sculptureVersion));
+    const Box3 box =
+        unite(unite(unite(*segments, filled), marked), sculpture.changedSince(before.sculptureVersion));
     return box.isEmpty() ? box : intersect(grow(box, kReach), {glm::ivec3(0), sculpture.dims()});
 }
 

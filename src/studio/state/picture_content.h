@@ -6,6 +6,7 @@
 #include "sculpt/sculpture/sculpture.h"
 #include "segment/membership/segmentation.h"
 #include "studio/operations/view.h"
+#include "studio/state/filled.h"
 
 #include <cstdint>
 #include <optional>
@@ -35,6 +36,7 @@ struct PictureContent {
     bool isCutAlongSegments = false;
     Segments segments;
     field::SharedMarks marks = std::make_shared<const field::Marks>();
+    Filled filled;
     // All is drawn where it lies, and throws no shadow: a change shows along the rays through it and nowhere
     // else.
     bool isLocal = false;

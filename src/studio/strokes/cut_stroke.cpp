@@ -43,11 +43,17 @@ Box3 CutStroke::cutBy(const sculpt::CutTarget::Part& part, const std::vector<flo
 }
 
 void CutStroke::takeBack(sculpt::SculptureDelta& delta) {
+    if (fillBefore_ != nullptr) {
+        *cutter_->fill = fillBefore_;
+    }
     cutter_->sculpture->swap(delta);
     cutter_->sculpture->contentIsAsAt(contentVersion_);
 }
 
 void CutStroke::discard() {
+    if (fillBefore_ != nullptr) {
+        *cutter_->fill = fillBefore_;
+    }
     if (!originals_.empty()) {
         cutter_->sculpture->finer()->takeBack(originals_);
         originals_.clear();

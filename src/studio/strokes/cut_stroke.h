@@ -30,7 +30,11 @@ public:
     // The sculpture's version at the beginning.
     [[nodiscard]] std::uint64_t sculptureVersion() const { return sculptureVersion_; }
     // Whether it only takes away: then all that can be seen could be seen at the beginning.
-    [[nodiscard]] bool onlyCuts() const { return how_ == sculpt::Combine::Cut; }
+    [[nodiscard]] bool onlyCuts() const { return how_ == sculpt::Combine::Cut && !fills(); }
+    // Whether it adds material, outward from the surface.
+    [[nodiscard]] bool fills() const { return aim_.at == Cutter::Aim::At::Fill; }
+    // What was filled at the beginning; null: it changes nothing of that.
+    [[nodiscard]] const field::SharedFill& fillBefore() const { return fillBefore_; }
     // When nothing has changed after all, the sculpture counts as untouched.
     sculpt::SculptureDelta finish();
     void discard();
@@ -42,7 +46,10 @@ protected:
         : cutter_(&cutter), operation_(std::move(operation)),
           how_(restores ? sculpt::Combine::Restore : sculpt::Combine::Cut),
           sculptureVersion_(cutter.sculpture->version()), contentVersion_(cutter.sculpture->contentVersion()),
-          backup_(cutter.sculpture->texels()), target_(cutter.target(backup_, originals_)) {}
+          backup_(cutter.sculpture->texels()), aim_(cutter.aim),
+          cutsFill_(how_ == sculpt::Combine::Cut && cutter.cutsFill()),
+          fillBefore_(cutter.fill != nullptr ? *cutter.fill : nullptr),
+          target_(cutter.target(backup_, originals_, how_)) {}
 
     // What the stroke cuts into.
     [[nodiscard]] sculpt::CutTarget& target() { return *target_; }
@@ -51,6 +58,10 @@ protected:
     static Box3 cutBy(const sculpt::CutTarget::Part& part, const std::vector<float>& energies);
     // The sculpture is cut by something else, at the scene's resolution; finish() has the finer one follow.
     void cutsInScene() { cutsInScene_ = true; }
+    // Whether it takes away what is filled along with the scan.
+    [[nodiscard]] bool cutsFill() const { return cutsFill_; }
+    // Whether it takes that away and nothing else.
+    [[nodiscard]] bool takesFill() const { return aim_.at == Cutter::Aim::At::Filled; }
 
     Cutter* cutter_;
     Operation operation_;
@@ -60,6 +71,9 @@ protected:
     sculpt::BrickBackup backup_;
 
 private:
+    Cutter::Aim aim_;
+    bool cutsFill_ = false;
+    field::SharedFill fillBefore_;
     sculpt::FineBricks originals_; // of the finer sculpture
     std::unique_ptr<sculpt::CutTarget> target_;
     bool cutsInScene_ = false;

@@ -60,12 +60,25 @@ void Cutter::follow(const volume::GridGeometry& corrected) {
     solids.follow(detail_ != nullptr ? finest_ : corrected);
 }
 
-std::unique_ptr<sculpt::CutTarget> Cutter::target(sculpt::BrickBackup& backup,
-                                                  sculpt::FineBricks& originals) {
+std::unique_ptr<sculpt::CutTarget> Cutter::target(sculpt::BrickBackup& backup, sculpt::FineBricks& originals,
+                                                  sculpt::Combine how) {
     if (detail_ != nullptr) {
         return std::make_unique<sculpt::FineTarget>(*sculpture, *window_, originals, backup);
     }
-    return std::make_unique<sculpt::WholeTarget>(*sculpture, &backup);
+    const bool isOfFill = aim.at == Aim::At::Fill || aim.at == Aim::At::Filled;
+    auto scan = std::make_unique<sculpt::WholeTarget>(*sculpture, &backup);
+    if (!isOfFill && !(how == sculpt::Combine::Cut && cutsFill())) {
+        return scan;
+    }
+    if (!fillWindow_) {
+        fillWindow_.emplace();
+    }
+    auto filled =
+        std::make_unique<sculpt::FillTarget>(*fill, aim.material, *fillWindow_, sculpture->limits());
+    if (isOfFill) {
+        return filled;
+    }
+    return std::make_unique<sculpt::CutWithFill>(std::move(scan), std::move(filled));
 }
 
 glm::dvec3 Cutter::toolPlace(const glm::dvec3& sceneVoxel) const {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "field/bricks/detail.h"
+#include "field/fill/fill_texture.h"
 #include "render/rays/picker.h"
+#include "sculpt/sculpture/fill_target.h"
 #include "sculpt/solids/island_cut.h"
 #include "sculpt/solids/solid_cut.h"
 #include "sculpt/surface/restore_reach.h"
@@ -18,9 +20,23 @@ namespace vs::studio {
 // What cut strokes need and share, for as long as the document lives.
 class Cutter {
 public:
-    Cutter(const field::Field& field, sculpt::Sculpture& target)
-        : tools(field.geometry), solids(field.geometry), sculpture(&target), scene(&field.geometry),
-          geometry(&field.geometry) {}
+    // `filled` is what tools fill; null: nothing can be filled.
+    Cutter(const field::Field& field, sculpt::Sculpture& target, field::SharedFill* filled = nullptr)
+        : tools(field.geometry), solids(field.geometry), sculpture(&target), fill(filled),
+          scene(&field.geometry), geometry(&field.geometry) {}
+
+    // What strokes change that are made from now on.
+    struct Aim {
+        enum class At {
+            All,    // the scan's sculpture and, when they cut, what is filled
+            Scan,   // the sculpture alone
+            Fill,   // they fill with a material
+            Filled, // they take away what is filled, and nothing else
+        };
+        At at = At::All;
+        std::uint8_t material = 0;
+    };
+    Aim aim;
 
     // What it takes to work on a finer sculpture, made before anything is changed, for the device may have no
     // room for it.
@@ -41,7 +57,17 @@ public:
     void follow(const volume::GridGeometry& corrected);
     // What a stroke cuts into. What was there before goes into the backup and, of the finer sculpture, into
     // `originals`.
-    std::unique_ptr<sculpt::CutTarget> target(sculpt::BrickBackup& backup, sculpt::FineBricks& originals);
+    std::unique_ptr<sculpt::CutTarget> target(sculpt::BrickBackup& backup, sculpt::FineBricks& originals,
+                                              sculpt::Combine how);
+    // Whether strokes that cut now take away what is filled.
+    [[nodiscard]] bool cutsFill() const {
+        return fill != nullptr && detail_ == nullptr && aim.at == Aim::At::All && !(*fill)->isEmpty();
+    }
+    // What is filled now, on the device, and stays so there until this is called again.
+    const field::FillTexture& keptFill() {
+        keptFill_.show(*fill);
+        return keptFill_;
+    }
     // The surface under places of a frame's picture, in the voxel space that tools work in.
     std::vector<field::SurfacePoint> pick(const render::Frame& frame, std::span<const glm::vec2> pixels);
     // RestoreReach::measure() of points that pick() gave, with depths and the reach in the tools' steps.
@@ -75,6 +101,7 @@ public:
     sculpt::RestoreReach restoreReach;
     render::Picker picker;
     sculpt::Sculpture* sculpture;
+    field::SharedFill* fill;
     const volume::GridGeometry* scene;    // the grid that operations speak of
     const volume::GridGeometry* geometry; // the grid that tools work on
 
@@ -86,6 +113,8 @@ private:
     double toolSteps_ = 1;
     field::Detail* detail_ = nullptr;          // null: tools work on the scene's grid
     std::optional<sculpt::FineWindow> window_; // onto the finer sculpture
+    std::optional<sculpt::FillWindow> fillWindow_;
+    field::FillTexture keptFill_;
     std::shared_ptr<const field::BrickOverlay> kept_;
     std::uint64_t keptVersion_ = 0; // of the finer sculpture
     gl::Texture snapshot_;

@@ -36,7 +36,7 @@ void PeelStroke::peelTo(double layers) {
     op.layers = std::max(layers, 0.0);
     auto& tools = cutter_->tools;
     const double depth = op.layers * cutter_->toolSteps();
-    if (layers_ && cutter_->cutsFiner()) {
+    if (layers_ && (cutter_->cutsFiner() || cutsFill() || takesFill())) {
         discard();
         layers_->cutAtOnce(depth, tools.radiator(), tools.generator(), target());
     } else if (layers_) {
@@ -46,7 +46,8 @@ void PeelStroke::peelTo(double layers) {
     }
 }
 
-// How far layers can be put back differs from place to place, so each time all of them are put back anew.
+// How far layers can be put back differs from place to place, so each time all of them are put back anew; of
+// material as many are laid on.
 void PeelStroke::restoreTo(const Peel& op) {
     discard();
     if (surface_.empty() || op.layers <= 0) {
@@ -54,7 +55,7 @@ void PeelStroke::restoreTo(const Peel& op) {
     }
     const double depth = op.layers * cutter_->toolSteps();
     const std::vector<float> depths(surface_.size(), float(depth));
-    const auto reach = cutter_->reachOf(frame_, surface_, directions_, depths, op.radius);
+    const auto reach = fills() ? depths : cutter_->reachOf(frame_, surface_, directions_, depths, op.radius);
     sculpt::ToolCut cut{sweepOf(op), how_};
     cut.sweep.depthSteps = depth;
     cut.sweep.directions = directions_;

@@ -105,6 +105,9 @@ void PenStroke::detectAgain() {
         if (frame_.scene.sculpture != nullptr) {
             frame_.scene.sculpture = &cutter_->snapshot();
         }
+        if (frame_.scene.fill != nullptr) {
+            frame_.scene.fill = &cutter_->keptFill();
+        }
         frame_.macrocells = &cutter_->snapshot(*frame_.macrocells);
         cutter_->keepSurfaces();
     }
@@ -232,8 +235,8 @@ void PenStroke::burn(const sculpt::PenPoint& from, const sculpt::PenPoint& to) {
     sculpt::ToolCut tool{{}, how_};
     tool.sweep.directionWorld = -plane->normal;
     const auto seen = cutter_->pick(frame_, pixels);
-    if (how_ == sculpt::Combine::Restore) {
-        sweep(seen, mask.mask, mask.depths, tool); // put back from each place of the floor
+    if (!onlyCuts()) {
+        sweep(seen, mask.mask, mask.depths, tool); // put back, or laid on, from each place of the floor
         return;
     }
     // The mask is flat: all its elements begin in the plane, and burn away what stands above it there too.
@@ -265,6 +268,8 @@ void PenStroke::sweep(std::span<const field::SurfacePoint> surface, const sculpt
         reach = cutter_->reachOf(frame_, surface, directions, depths, tool.sweep.radius);
         tool.sweep.directions = directions;
         tool.sweep.outwardSteps = reach;
+    } else if (fills()) {
+        tool.sweep.outwardSteps = depths; // as high as a cut would be deep
     }
     cutter_->tools.cut(target(), surface, mask, tool);
 }

@@ -113,7 +113,7 @@ void ScissorsStroke::limitDepth(sculpt::Extrusion& solid, double depthSteps) {
 }
 
 void ClipStroke::clipTo(const Clip& clip) {
-    VS_CHECK(clip.restores == !onlyCuts());
+    VS_CHECK(clip.restores == (how_ == sculpt::Combine::Restore));
     operation_ = clip;
     discard();
     const sculpt::HalfSpaces solid{planesOf(clip, *cutter_->scene), clip.cutsInside, clip.radius};

@@ -140,6 +140,21 @@ Operations files(const std::filesystem::path& labelMap) {
             RemoveSegment{"ball"}};
 }
 
+Operations filling() {
+    SetMaterial material;
+    material.value = 120;
+    return {material,
+            Fill{1, penAt<Drill>(200, 130, 9)},
+            Fill{1, peelAt(190, 120, 12)},
+            penAt<Laser>(200, 130, 5),
+            FillHole{1, test::ellipseAt(200, 130, 12, 12), {}, 3, testCanvas()},
+            SaveFill{"filled.nrrd"},
+            SaveFillSurface{"filled.stl"},
+            Unfill{penAt<Drill>(190, 120, 5)},
+            Undo{},
+            smallPicture("filled.png")};
+}
+
 Operations measuring() {
     CorrectGeometry correct;
     correct.spacing = glm::dvec3(1, 1.5, 2);
@@ -169,6 +184,7 @@ Operations everything(const std::filesystem::path& labelMap) {
     append(all, growth());
     append(all, segments());
     append(all, files(labelMap));
+    append(all, filling());
     append(all, measuring());
     append(all, picturesOfAll());
     all.emplace_back(ReSeed{});

@@ -29,6 +29,8 @@ const std::map<std::string, const BlockLayout*> kLayouts{
     {"SceneBlock", &field::kSceneBlockLayout},
     {"BricksBlock", &field::kBricksBlockLayout},
     {"MarksBlock", &field::kMarksBlockLayout},
+    {"FillBlock", &field::kFillBlockLayout},
+    {"SegmentColoursBlock", &render::kSegmentColoursBlockLayout},
     {"ViewBlock", &render::kViewBlockLayout},
     {"ClassificationBlock", &render::kClassificationBlockLayout},
     {"OcclusionBlock", &render::kOcclusionBlockLayout},

@@ -34,6 +34,7 @@ public:
     [[nodiscard]] Operation cut() const;         // of the sculpture, or what puts some of it back
     [[nodiscard]] Operation part() const;        // on pasted parts
     [[nodiscard]] Operation mark() const;        // on the head, or away from it
+    [[nodiscard]] Operation fill() const;        // with one of two materials, or what makes and removes them
     [[nodiscard]] Operation segmentWork() const; // on one of three segments
 
 protected:
@@ -80,6 +81,42 @@ inline Operation AnyEdit::mark() const {
     mark.text = mark.kind == studio::Mark::Kind::Text ? "R" : "";
     mark.canvas = testCanvas();
     return below(12) == 0 ? Operation(studio::RemoveMarks{}) : Operation(mark);
+}
+
+inline Operation AnyEdit::fill() const {
+    const double x = 150 + 10 * below(11);
+    const double y = 90 + 10 * below(12);
+    const auto tool = studio::toolsAt(x, y)[std::size_t(below(4))];
+    studio::SetMaterial material;
+    material.number = 1 + below(2);
+    material.value = 40.0 * below(6);
+    material.isVisible = below(4) != 0;
+    const auto with = [&tool](auto op) {
+        std::visit(
+            [&](const auto& drawn) {
+                if constexpr (std::is_constructible_v<decltype(op.stroke), decltype(drawn)>) {
+                    op.stroke = drawn;
+                }
+            },
+            tool);
+        return Operation(op);
+    };
+    switch (below(8)) {
+    case 0:
+    case 1:
+        return material;
+    case 2:
+        return with(studio::Unfill{});
+    case 4: {
+        studio::FillHole hole{1 + below(2), ellipseAt(x, y, 20, 16)};
+        hole.canvas = testCanvas();
+        return hole;
+    }
+    case 3:
+        return below(2) == 0 ? Operation(studio::RemoveFill{1 + below(2)}) : Operation(studio::RemoveFill{});
+    default:
+        return with(studio::Fill{1 + below(2), {}});
+    }
 }
 
 inline Operation AnyEdit::part() const {
@@ -146,7 +183,9 @@ inline Operation AnyEdit::segmentWork() const {
 }
 
 inline Operation AnyEdit::edit() const {
-    switch (below(12)) {
+    switch (below(13)) {
+    case 12:
+        return fill();
     case 0:
     case 1:
     case 2:

@@ -149,8 +149,16 @@ inline Operation AnyOperation::output() const {
     case 1:
         return studio::SaveLabels{below(2) == 0 ? "labels.nrrd" : "labels.nii.gz"};
     case 2:
-        return below(2) == 0 ? Operation(studio::SaveSculpture{"sculpture.nrrd"})
-                             : Operation(studio::SaveMarks{"marks.nrrd"});
+        switch (below(4)) {
+        case 0:
+            return studio::SaveFill{"filled.nrrd"};
+        case 1:
+            return studio::SaveFillSurface{"filled.stl"};
+        case 2:
+            return studio::SaveMarks{"marks.nrrd"};
+        default:
+            return studio::SaveSculpture{"sculpture.nrrd"};
+        }
     default: {
         studio::SaveMovie movie{"movie", {32, 24}, 10, 1};
         studio::Shot shot;

@@ -113,9 +113,48 @@ bool Editor::endStroke(bool keep) {
     return isDone;
 }
 
+studio::Operation Editor::aimed(const studio::Operation& stroke) const {
+    if (!hand_.tool().actsOnMaterial()) {
+        return stroke;
+    }
+    return std::visit(
+        [&](const auto& drawn) -> studio::Operation {
+            if constexpr (std::is_constructible_v<decltype(studio::Unfill::stroke), decltype(drawn)>) {
+                if (hand_.tool().isReversed()) {
+                    return studio::Unfill{drawn};
+                }
+            }
+            if constexpr (std::is_constructible_v<decltype(studio::Fill::stroke), decltype(drawn)>) {
+                return studio::Fill{hand_.material(), drawn};
+            }
+            if constexpr (std::is_same_v<std::decay_t<decltype(drawn)>, studio::Scissors>) {
+                return studio::FillHole{hand_.material(), drawn.outline, drawn.depth, drawn.radius,
+                                        drawn.canvas};
+            }
+            return drawn;
+        },
+        stroke);
+}
+
+bool Editor::prepareMaterial() {
+    const bool isNeeded = hand_.tool().actsOnMaterial() && !hand_.tool().isReversed();
+    if (!isNeeded || host_.geometry() == nullptr) {
+        return true;
+    }
+    const auto count = int(host_.facts()->materials->size());
+    if (hand_.material() <= count) {
+        return true;
+    }
+    studio::SetMaterial material;
+    material.number = count + 1;
+    const bool isMade = apply(material);
+    hand_.setMaterial(count + 1);
+    return isMade;
+}
+
 bool Editor::cut(const studio::Operation& stroke) {
     if (!hand_.tool().actsOnSegment()) {
-        return apply(stroke);
+        return apply(aimed(stroke));
     }
     studio::BrushSegment brush;
     brush.isToAdd = hand_.tool().adds();

@@ -40,8 +40,13 @@ public:
     bool beginStroke(const std::function<void(studio::Document&, const studio::Canvas&)>& begin);
     // Whether it ended so: what takes long can be given up, and then the stroke is gone.
     bool endStroke(bool keep);
-    // Does a whole stroke, to the scan or, if the tool acts on it, to the segment at work.
+    // Does a whole stroke, to the scan or, if the tool acts on it, to the segment at work or to material.
     bool cut(const studio::Operation& stroke);
+    // A stroke as the operation that it is when the tool acts on material: the scissors' outline fills a hole.
+    // Else itself.
+    [[nodiscard]] studio::Operation aimed(const studio::Operation& stroke) const;
+    // Makes the material in hand if the tool is to fill with it and there is none yet. False: that failed.
+    bool prepareMaterial();
     // Pastes what tools cut since the last paste where there is room beside the object and the parts pasted
     // before; what Keep and Clip took away too, if that is wanted. The view steps back if it would not be
     // seen.

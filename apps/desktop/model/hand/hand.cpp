@@ -71,10 +71,23 @@ bool Hand::setStencil(const std::filesystem::path& picture) {
     return isRead;
 }
 
-void Hand::setBrushesSegment(bool on) {
-    brushesSegment_ = on;
+void Hand::setTarget(Target target) {
+    target_ = target;
     emit overlayChanged(); // the hint
     emit host_.changed();
+}
+
+void Hand::setMaterial(int number) {
+    material_ = number;
+    emit host_.changed();
+}
+
+void Hand::setPicksValue(bool on) {
+    if (on != picksValue_) {
+        picksValue_ = on;
+        emit overlayChanged(); // the hint
+        emit host_.changed();
+    }
 }
 
 } // namespace vs::desktop

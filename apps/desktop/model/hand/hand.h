@@ -16,7 +16,7 @@ class DocumentHost;
 class Tool;
 
 // What a person has in hand: the current tool, and what all tools share: the shape that is sketched, how hard
-// the pen presses, and whether they work on the scan or on the segment at work.
+// the pen presses, and whether they work on the scan, on the segment at work or on material.
 class Hand : public QObject {
     Q_OBJECT
 
@@ -45,9 +45,17 @@ public:
     void setRampsPressure(bool on) { rampsPressure_ = on; }
     void setTabletPressure(double pressure) { emit tabletPressureChanged(pressure); }
 
-    // Whether tools that can act on the segment at work do so.
-    [[nodiscard]] bool brushesSegment() const { return brushesSegment_; }
-    void setBrushesSegment(bool on);
+    // What tools act on that can act on it; others act on the scan.
+    enum class Target { Scan, Segment, Material };
+    [[nodiscard]] Target target() const { return target_; }
+    void setTarget(Target target);
+    // The number of the material that is filled with, counted from 1; of the one that comes next, if there is
+    // none of that number yet.
+    [[nodiscard]] int material() const { return material_; }
+    void setMaterial(int number);
+    // The next click takes the scan's value for that material.
+    [[nodiscard]] bool picksValue() const { return picksValue_; }
+    void setPicksValue(bool on);
 
 signals:
     void overlayChanged(); // what is painted over the picture, and the hint and the cursor with it
@@ -60,7 +68,9 @@ private:
     std::vector<glm::dvec2> stencil_;
     double mousePressure_ = 1;
     bool rampsPressure_ = false;
-    bool brushesSegment_ = false;
+    Target target_ = Target::Scan;
+    int material_ = 1;
+    bool picksValue_ = false;
 };
 
 } // namespace vs::desktop

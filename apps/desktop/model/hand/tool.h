@@ -67,6 +67,8 @@ public:
     // What it cuts is the segment at work, not the scan; and it adds to it.
     [[nodiscard]] virtual bool actsOnSegment() const { return false; }
     [[nodiscard]] virtual bool adds() const { return false; }
+    // What it would cut is filled with material or, with its sign reversed, what is filled is taken away.
+    [[nodiscard]] virtual bool actsOnMaterial() const { return false; }
     // Enter: does what has been prepared. False: nothing was.
     virtual bool accept() { return false; }
     // Tab: goes to the next thing that can be worked on, or to the one before. False: there is no other.

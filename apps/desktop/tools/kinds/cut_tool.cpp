@@ -3,13 +3,51 @@
 
 #include "model/segments/segment_controller.h"
 #include "model/studio/studio_controller.h"
+#include "studio/document/surface_queries.h"
 #include "tools/kinds/sketch_hints.h"
 
 namespace vs::desktop {
 
-bool CutTool::actsOnSegment() const { return canActOnSegment() && studio_.hand().brushesSegment(); }
+bool CutTool::actsOnSegment() const {
+    return canActOnSegment() && studio_.hand().target() == Hand::Target::Segment;
+}
+
+bool CutTool::actsOnMaterial() const {
+    return canActOnMaterial() && studio_.hand().target() == Hand::Target::Material;
+}
+
+bool CutTool::picksValue(const Pen& pen) {
+    if (!actsOnMaterial() || !studio_.hand().picksValue()) {
+        return false;
+    }
+    studio_.hand().setPicksValue(false);
+    std::optional<studio::Probe> probe;
+    const glm::dvec2 pixel =
+        glm::dvec2(pen.position.x(), pen.position.y()) * studio_.view().devicePerLogical();
+    studio_.host().workLong(
+        [&] { probe = studio_.host().document()->surface().probe(pixel, studio_.view().canvas().viewport); });
+    if (!probe) {
+        studio_.host().say(tr("Nothing is seen there whose value could be taken"));
+        return true;
+    }
+    studio::SetMaterial material;
+    material.number = studio_.hand().material();
+    material.value = probe->value;
+    studio_.editor().apply(material);
+    return true;
+}
 
 QString CutTool::withTarget(const QString& hint) const {
+    if (actsOnMaterial() && studio_.hand().picksValue()) {
+        return tr("Click where the scan has the value that the material should have.");
+    }
+    if (actsOnMaterial()) {
+        return !saysWhatItFills() || isSketching()
+                   ? hint
+                   : hint + " " +
+                         (isReversed() ? tr("It takes material away, the scan stays. R fills.")
+                                       : tr("It adds material, outward from the surface. R takes it away."));
+    }
     if (!actsOnSegment()) {
         return hint;
     }

@@ -47,6 +47,9 @@ Overlays MaskTool::overlays() const {
 }
 
 void MaskTool::press(const Pen& pen) {
+    if (picksValue(pen)) {
+        return;
+    }
     if (state() == State::Ready && isForMask(pen)) {
         beginStroke(pen);
     } else {
@@ -91,8 +94,12 @@ void MaskTool::viewResized() {
 
 void MaskTool::beginStroke(const Pen& pen) {
     const studio::Sketch mask = sketch();
-    isCutting_ = studio_.editor().beginStroke(
-        [&](auto& document, const auto& canvas) { document.stroke().begin(stroke(mask, canvas)); });
+    if (!studio_.editor().prepareMaterial()) {
+        return;
+    }
+    isCutting_ = studio_.editor().beginStroke([&](auto& document, const auto& canvas) {
+        document.stroke().begin(studio_.editor().aimed(stroke(mask, canvas)));
+    });
     if (isCutting_) {
         begin(pen);
         emit overlayChanged();

@@ -24,6 +24,7 @@ public:
 
     [[nodiscard]] QString hint() const override;
     [[nodiscard]] bool canActOnSegment() const override { return true; }
+    [[nodiscard]] bool canActOnMaterial() const override { return true; }
     [[nodiscard]] Overlays overlays() const override;
     void press(const Pen& pen) override;
     void move(const Pen& pen) override;

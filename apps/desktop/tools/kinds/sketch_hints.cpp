@@ -40,6 +40,10 @@ EndWords wordsOf(SketchEnd end) {
     case SketchEnd::Seed:
         return {tr("Let go to place the seeds."), tr("Enter or a double click places the seeds."),
                 tr("Click the first corner to close the line and place the seeds.")};
+    case SketchEnd::Fill:
+        return {tr("Let go to fill it."),
+                tr("Enter, a double click or a click on the first corner fills it."),
+                tr("Click the first corner to fill it.")};
     case SketchEnd::Mark:
         return {tr("Let go to mark it."), tr("Enter or a double click marks it."),
                 tr("Click the first corner to close the line and mark it.")};

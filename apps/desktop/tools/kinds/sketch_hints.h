@@ -11,7 +11,7 @@ namespace vs::desktop {
 class StudioController;
 
 // What happens when a sketch ends. Every tool that is drawn with says it in the same words.
-enum class SketchEnd { Mask, Cut, Restore, Remove, Add, Seed, Absorb, Mark, MarkArea };
+enum class SketchEnd { Mask, Cut, Restore, Remove, Add, Seed, Absorb, Fill, Mark, MarkArea };
 
 // Why the segment at work cannot be changed; empty: it can.
 QString lockedHint(StudioController& studio);

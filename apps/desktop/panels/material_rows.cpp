@@ -62,8 +62,12 @@ public:
         remove_ = named(new QPushButton(CutTool::tr("Remove")), nameOf("MaterialRemove").constData(),
                         CutTool::tr("Takes all of this material away"));
         remove_->setFocusPolicy(Qt::TabFocus);
+        segment_ = named(new QPushButton(CutTool::tr("To segment")), nameOf("MaterialSegment").constData(),
+                         CutTool::tr("Adds what is filled with this material to the segment at work"));
+        segment_->setFocusPolicy(Qt::TabFocus);
         auto* third = new QHBoxLayout;
         third->addWidget(visible_, 1);
+        third->addWidget(segment_);
         third->addWidget(remove_);
         form->addRow(third);
         listen();
@@ -87,6 +91,7 @@ public:
             part->setEnabled(exists);
         }
         remove_->setEnabled(exists && studio_.host().facts()->hasFill);
+        segment_->setEnabled(exists && studio_.host().facts()->hasFill);
         pick_->setChecked(studio_.hand().picksValue());
         if (exists) {
             const Material& material = materials->at(std::size_t(number - 1));
@@ -125,6 +130,8 @@ private:
         connect(pick_, &QPushButton::toggled, this, [this](bool on) { studio_.hand().setPicksValue(on); });
         connect(visible_, &QCheckBox::toggled, this,
                 [this](bool on) { change([&](auto& op) { op.isVisible = on; }); });
+        connect(segment_, &QPushButton::clicked, this,
+                [this] { studio_.editor().apply(studio::SegmentFill{studio_.hand().material()}); });
         connect(remove_, &QPushButton::clicked, this,
                 [this] { studio_.editor().apply(studio::RemoveFill{studio_.hand().material()}); });
     }
@@ -146,6 +153,7 @@ private:
     QDoubleSpinBox* value_ = nullptr;
     QPushButton* pick_ = nullptr;
     QCheckBox* visible_ = nullptr;
+    QPushButton* segment_ = nullptr;
     QPushButton* remove_ = nullptr;
 };
 

@@ -39,7 +39,9 @@ std::optional<Probe> SurfaceQueries::probe(glm::dvec2 pixel, glm::ivec2 viewport
     Probe probe;
     probe.voxel = glm::dvec3(points.front().voxel);
     probe.world = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(probe.voxel, 1.0));
-    probe.value = interpolate(contents_.scan.volume, probe.voxel);
+    const std::uint8_t material = contents_.filled.fill->materialAt(probe.voxel);
+    probe.value = material != 0 ? contents_.filled.materials->at(material - 1U).value
+                                : interpolate(contents_.scan.volume, probe.voxel);
     return probe;
 }
 

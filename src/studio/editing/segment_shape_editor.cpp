@@ -179,6 +179,37 @@ void SegmentShapeEditor::perform(const PaintSegment& op, Region::Records& record
     }
 }
 
+namespace {
+
+segment::VoxelSet voxelsOf(const field::Fill& fill, int material) {
+    segment::VoxelSet set = segment::emptySet(fill.filledWithin({glm::ivec3(0), fill.dims()}));
+    forEachVoxel(set.box, [&](glm::ivec3 v, std::size_t n) {
+        const field::Fill::Voxel there = fill.at(v);
+        set.inside[n] = there.filled >= 0.5F && there.material == material ? 1 : 0;
+    });
+    return set.tight();
+}
+
+} // namespace
+
+void SegmentShapeEditor::perform(const SegmentFill& op, Region::Records& records) {
+    workUnlocked(contents_, records);
+    contents_.region.paint(voxelsOf(*contents_.filled.fill, op.material), true, records);
+}
+
+Outcome SegmentShapeEditor::run(SegmentFill& op) {
+    if (contents_.filled.fill->voxels(std::uint8_t(op.material)) == 0) {
+        throw Error("material: nothing is filled with number {} that a segment could have", op.material);
+    }
+    if (contents_.region.isFiner()) {
+        throw Error("segments grow at a finer level than material lies at: none can be made of it");
+    }
+    const std::size_t before = contents_.grownVoxels();
+    changeSegments(contents_, *this, op);
+    const std::size_t now = contents_.grownVoxels();
+    return {{}, 0, now - before, describeChange(before, now)};
+}
+
 segment::FineSet SegmentShapeEditor::finestUnder(const PaintSegment& op) {
     segment::FineSet set = finestAlong(op.trail, contents_.region.finestGrid(), contents_.region.geometry());
     return op.range ? contents_.region.finestInRange(set, *op.range) : set;

@@ -21,10 +21,12 @@ public:
     Outcome run(EditSegment& op);
     Outcome run(BrushSegment& op);
     Outcome run(PaintSegment& op);
+    Outcome run(SegmentFill& op);
 
     void perform(const EditSegment& op, Region::Records& records);
     void perform(const BrushSegment& op, Region::Records& records);
     void perform(const PaintSegment& op, Region::Records& records);
+    void perform(const SegmentFill& op, Region::Records& records);
 
 private:
     // The other segment that an edit takes, as take(its label) gives it; when it is united with the one at

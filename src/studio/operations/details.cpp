@@ -57,6 +57,9 @@ std::vector<Phrase> Fill::details() const {
 std::vector<Phrase> FillHole::details() const {
     return {say(VS_TEXT("library", "material %1"), material)};
 }
+std::vector<Phrase> SegmentFill::details() const {
+    return {say(VS_TEXT("library", "material %1"), material)};
+}
 std::vector<Phrase> Unfill::details() const { return {strokeSaid(stroke)}; }
 
 std::vector<Phrase> Mark::details() const {

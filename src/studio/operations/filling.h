@@ -126,6 +126,20 @@ struct RemoveFill {
     }
 };
 
+// Makes a segment of material, or a part of one.
+struct SegmentFill {
+    static constexpr About kAbout{VS_TEXT("library", "segment material"), Effect::Segments,
+                                  "adds what is filled with a material to the segment at work"};
+
+    int material = 1;
+
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{required("material", &SegmentFill::material, kMaterial)};
+    }
+    [[nodiscard]] std::vector<Phrase> details() const;
+};
+
 // Writes which voxels are filled with which material.
 struct SaveFill {
     static constexpr About kAbout{VS_TEXT("library", "filled"), Effect::Writes,
@@ -159,6 +173,6 @@ struct SaveFillSurface {
 };
 
 using FillingOperations =
-    std::variant<SetMaterial, Fill, FillHole, Unfill, RemoveFill, SaveFill, SaveFillSurface>;
+    std::variant<SetMaterial, Fill, FillHole, Unfill, SegmentFill, RemoveFill, SaveFill, SaveFillSurface>;
 
 } // namespace vs::studio

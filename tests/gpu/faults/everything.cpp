@@ -148,6 +148,7 @@ Operations filling() {
             Fill{1, peelAt(190, 120, 12)},
             penAt<Laser>(200, 130, 5),
             FillHole{1, test::ellipseAt(200, 130, 12, 12), {}, 3, testCanvas()},
+            SegmentFill{1},
             SaveFill{"filled.nrrd"},
             SaveFillSurface{"filled.stl"},
             Unfill{penAt<Drill>(190, 120, 5)},

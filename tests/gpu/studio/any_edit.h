@@ -101,7 +101,9 @@ inline Operation AnyEdit::fill() const {
             tool);
         return Operation(op);
     };
-    switch (below(8)) {
+    switch (below(9)) {
+    case 8:
+        return studio::SegmentFill{1 + below(2)};
     case 0:
     case 1:
         return material;

@@ -19,6 +19,7 @@
 #include "studio/document/document_state.h"
 #include "studio/document/live_stroke.h"
 #include "studio/json/operation_json.h"
+#include "studio/state/region.h"
 
 #include <nlohmann/json.hpp>
 
@@ -700,6 +701,24 @@ TEST_F(FillTest, ASurfaceOfMaterialIsClosedAndAlone) {
     }
     const auto labels = field::materialLabels(*document.filled().fill);
     EXPECT_EQ(std::size_t(std::count(labels.begin(), labels.end(), 1)), document.filled().fill->voxels(1));
+}
+
+TEST_F(FillTest, MaterialBecomesASegment) {
+    Document document(testHead());
+    document.showView(testCanvas().view);
+    document.apply(materialOf(1, 200));
+    EXPECT_THROW(document.apply(SegmentFill{1}), Error);
+    document.apply(Fill{1, boxOf({10.5, 10.5, 10.5}, {30.5, 26.5, 22.5})});
+    document.apply(SegmentFill{1});
+    const std::size_t voxels = document.filled().fill->voxels(1);
+    EXPECT_EQ(document.region().voxelCount(1), voxels);
+    document.apply(RemoveFill{});
+    EXPECT_EQ(document.region().voxelCount(1), voxels) << "the segment stays";
+    document.apply(Undo{});
+    document.apply(Undo{});
+    EXPECT_EQ(document.region().voxelCount(1), 0U);
+    document.apply(Redo{});
+    EXPECT_EQ(document.region().voxelCount(1), voxels);
 }
 
 TEST_F(FillTest, NothingFilledTakesNoMemory) {

@@ -164,6 +164,7 @@ TEST(OperationJson, EveryKindComesBackAsItWas) {
         Unfill{Laser(someLaser())},
         Unfill{Clip{Clip::Box{{1, 2, 3}, {4, 5, 6}}, {}, true}},
         RemoveFill{2},
+        SegmentFill{2},
         RemoveFill{},
         SaveFill{"filled.nrrd"},
         SaveFillSurface{"plate.stl", 2},

@@ -1306,6 +1306,10 @@
         <source>material surface</source>
         <translation>Oberfläche des Materials</translation>
     </message>
+    <message>
+        <source>segment material</source>
+        <translation>Material segmentieren</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop</name>
@@ -3330,6 +3334,14 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>It adds material, outward from the surface. R takes it away.</source>
         <translation>Es fügt Material hinzu, von der Oberfläche nach außen. R nimmt es weg.</translation>
+    </message>
+    <message>
+        <source>To segment</source>
+        <translation>Zum Segment</translation>
+    </message>
+    <message>
+        <source>Adds what is filled with this material to the segment at work</source>
+        <translation>Fügt dem Segment in Arbeit hinzu, was mit diesem Material gefüllt ist</translation>
     </message>
 </context>
 <context>

@@ -67,6 +67,11 @@ void SceneBinding::bind(const Scene& scene) {
     (scene.segmentLabels != nullptr ? *scene.segmentLabels : segment1_).bindTexture(kSegmentLabelsTexture);
 }
 
+bool hasHiddenSide(const Scene& scene) {
+    return scene.sculpture != nullptr || scene.view == SculptureView::Probe ||
+           (scene.fill != nullptr && !areAllSeen(scene.materials));
+}
+
 void addFill(const Scene& scene, gl::Defines& defines) {
     if (scene.fill != nullptr) {
         defines.emplace_back("FILLED", areAllSeen(scene.materials) ? "1" : "2");

@@ -96,6 +96,9 @@ private:
     gl::Texture segment1_; // the labels of a scene without: one texel of 1
 };
 
+// Whether some of what the scene has may not be seen because it was cut away, or material that is not seen is
+// there instead.
+bool hasHiddenSide(const Scene& scene);
 // Programs that show the scene have FILLED defined where it has a fill.
 void addFill(const Scene& scene, gl::Defines& defines);
 

@@ -49,6 +49,7 @@ FAULTS = {
     "islands and solids": ("sculpt/shaders/cut_islands.comp", "lessThanEqual(abs(offset), ivec2(1))", "lessThanEqual(abs(offset), ivec2(0))"),
     "pasted parts": ("render/shaders/seen.glsl", "one.front = other.front.a > one.front.a ? other.front : one.front;", ""),
     "light": ("render/shaders/average_occlusion.comp", "kInTheWay = 0.6", "kInTheWay = 0.5"),
+    "fill": ("field/shaders/fill.glsl", "back = across * cell.part.z", "back = across * (cell.part.z + 0.01)"),
     "marks": ("field/shaders/marks.glsl", "* across * part.z", "* across * (part.z + 0.01)"),
     "bricks": ("field/shaders/bricks.glsl", "+ inBrick + 0.5)", "+ inBrick + 0.6)"),
     "slices": ("render/shaders/draw_slice.comp", "(1.0 - f.x) * (1.0 - f.y)", "0.97 * (1.0 - f.x) * (1.0 - f.y)"),

@@ -154,6 +154,41 @@ def restore_by_drill(studio):
     studio.wait("cutting again", lambda s: "to drill" in s["hint"])
 
 
+@test.step(after=[restore_by_drill])
+def fill(studio):
+    """Material by the drill, seen at once; its intensity from the scan; taken away; and a hole that the scissors fill."""
+    choose(studio, "d", "drill")
+    studio.key("Escape")
+    studio.click("drillOnMaterial")
+    studio.wait("material", lambda s: "adds material" in s["hint"])
+    studio.drag(ellipse(studio, (0.55, 0.55), (0.03, 0.04)))
+    studio.wait("the drill's mask", lambda s: s["hint"].startswith("The mask follows"))
+    done = Done(studio)
+    studio.drag(line(studio, (0.52, 0.55), (0.58, 0.55), 6))
+    done.wait("Fill")
+    undo(studio)
+    redo(studio)
+    studio.click("drillMaterialPick")
+    studio.wait("picking", lambda s: s["hint"].startswith("Click where the scan"))
+    done = Done(studio)
+    studio.click(studio.view_point(0.5, 0.35))
+    done.wait("Material")
+    studio.key("r")
+    studio.wait("taking away", lambda s: "takes material away" in s["hint"])
+    done = Done(studio)
+    studio.drag(line(studio, (0.56, 0.55), (0.58, 0.55), 3))
+    done.wait("Unfill")
+    studio.key("r")
+    # What the laser burned.
+    choose(studio, "x", "scissors")
+    studio.wait("a hole", lambda s: s["hint"].startswith("Draw around a hole"))
+    done = Done(studio)
+    studio.drag(ellipse(studio, (0.445, 0.385), (0.07, 0.08)))
+    done.wait("Fill hole")
+    studio.click("scissorsOnScan")
+    studio.wait("the scan again", lambda s: s["hint"].startswith("Draw around what should go"))
+
+
 @test.step
 def scissors(studio):
     """Outside a stroke and back, then a piece inside one, which is pasted."""
@@ -248,7 +283,7 @@ def session(studio, folder):
 @test.step
 def operations_of_session(session):
     names = [operation["op"] for operation in operations(session[0])]
-    for name in ("laser", "sweep", "drill", "scissors", "paste", "move part", "clip", "keep connected", "undo", "redo"):
+    for name in ("laser", "sweep", "drill", "scissors", "material", "fill", "unfill", "fill hole", "paste", "move part", "clip", "keep connected", "undo", "redo"):
         need(name in names, f"the session has no {name}: {names}")
 
 

@@ -81,8 +81,10 @@ public:
         for (const Material& material : *materials) {
             list_->addItem(QString::fromStdString(material.name));
         }
-        list_->addItem(CutTool::tr("New material"));
         const auto count = int(materials->size());
+        if (count < field::kMostMaterials) {
+            list_->addItem(CutTool::tr("New material"));
+        }
         const int number = std::min(studio_.hand().material(), count + 1);
         list_->setCurrentIndex(number - 1);
         const bool exists = number <= count;

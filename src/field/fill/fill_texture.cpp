@@ -60,7 +60,8 @@ bool FillTexture::hasRoomFor(const Fill& fill) {
     }
     const auto places = placesWithOtherCorners(Fill(), fill);
     return std::size_t(std::count_if(places.begin(), places.end(), [&](std::uint32_t place) {
-               return !contentOf(cornersOf(fill, place)).words.empty();
+               const FillCorners corners = cornersOf(fill, place);
+               return !corners.isEmpty && corners.whole == 0;
            })) <= most;
 }
 
@@ -84,8 +85,15 @@ void FillTexture::show(const SharedFill& fill) {
         shown_ = fill;
         return;
     }
-    const std::size_t tooMany =
-        words_.update(placesOf(*fill), [&](bool isAll) { return changes(isAll ? Fill() : *shown_, *fill); });
+    std::size_t tooMany = 0;
+    try {
+        tooMany = words_.update(placesOf(*fill),
+                                [&](bool isAll) { return changes(isAll ? Fill() : *shown_, *fill); });
+    } catch (...) { // half of it is there
+        words_.forget();
+        shown_ = std::make_shared<const Fill>();
+        throw;
+    }
     if (tooMany > 0) {
         if (!std::exchange(hasComplained_, true)) {
             logNotice(fmt::format("material lies in {} bricks, and this device has room for {}: it is not "

@@ -136,8 +136,14 @@ void MarkTexture::show(const SharedMarks& marks) {
         forget();
         grid_ = marks->grid();
     }
-    const std::size_t tooMany =
-        words_.update(pagesOf(grid_), [&](bool isAll) { return changes(isAll ? Marks() : *shown_, *marks); });
+    std::size_t tooMany = 0;
+    try {
+        tooMany = words_.update(pagesOf(grid_),
+                                [&](bool isAll) { return changes(isAll ? Marks() : *shown_, *marks); });
+    } catch (...) { // half of them are there
+        forget();
+        throw;
+    }
     if (tooMany > 0) {
         if (!std::exchange(hasComplained_, true)) {
             logNotice(fmt::format("there are marks in {} bricks, and this device has room for {}: they are "

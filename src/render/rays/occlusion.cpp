@@ -68,7 +68,7 @@ gl::Defines OcclusionVolume::definesFor(const Input& input) const {
                         : input.drawsData               ? 2
                                                         : 1;
     gl::Defines defines = gl::switchesOn({
-        {"SCULPTED", input.scene.sculpture != nullptr || input.scene.view == field::SculptureView::Probe},
+        {"SCULPTED", field::hasHiddenSide(input.scene)},
         {"ON_VOXELS", blockSize_ == glm::ivec3(2)},
     });
     field::addFill(input.scene, defines);

@@ -32,7 +32,7 @@ gl::Defines definesFor(const Frame& frame, Picker::Meets meets) {
                         : byFunction                                 ? 3
                                                                      : 0;
     gl::Defines defines = gl::switchesOn({
-        {"SCULPTED", scene.sculpture != nullptr || scene.view == field::SculptureView::Probe},
+        {"SCULPTED", field::hasHiddenSide(scene)},
         {"SMOOTHED", scene.smoothed != nullptr},
         {"TRICUBIC", scene.sampling == field::Sampling::Tricubic},
         {"QUADS", bool(searched.quads) && frame.detail == nullptr},

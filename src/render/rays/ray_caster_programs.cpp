@@ -40,7 +40,7 @@ gl::Defines RayCaster::definesFor(const Frame& frame) {
     const field::Scene& scene = frame.scene;
     const bool isLit = frame.mode != Mode::Mip && frame.mode != Mode::XRay; // these have no surfaces
     const field::Field& searched = scene.smoothed != nullptr ? *scene.smoothed : *scene.data;
-    const bool isSculpted = scene.sculpture != nullptr || scene.view == field::SculptureView::Probe;
+    const bool isSculpted = field::hasHiddenSide(scene);
     gl::Defines defines = gl::switchesOn({
         {"SCULPTED", isSculpted},
         {"CUT_ALONG_SEGMENTS", isSculpted && scene.isCutAlongSegments && scene.segmentation != nullptr},

@@ -119,6 +119,17 @@ struct Walk {
     bool isCut; // something found begins where the sculpture was cut
 };
 
+#ifdef SEGMENTS
+// >= 0 where what the function shows is to be seen beside segments: material that lies in one is.
+float clearAt(vec3 p) {
+    float clear = clearOfSegments(membershipsAt(p));
+#ifdef FILLED
+    clear = max(clear, filledBySeen(p) - 0.5);
+#endif
+    return clear;
+}
+#endif
+
 // One piece, up to the sample of that number; `stride`: how many samples it goes over. Gradient magnitudes
 // change little from piece to piece: two pieces share the one where they meet, the end of the first.
 void addPiece(inout Walk walk, Ray ray, float numberAfter, float stride, float dt, float jitter,
@@ -135,7 +146,7 @@ void addPiece(inout Walk walk, Ray ray, float numberAfter, float stride, float d
 #endif
     float cutAt = part.x;
 #ifdef SEGMENTS
-    float clearAfter = clearOfSegments(membershipsAt(after));
+    float clearAfter = clearAt(after);
     vec2 clearPart = visiblePart(walk.clear, clearAfter);
     walk.clear = clearAfter;
     part = vec2(max(part.x, clearPart.x), min(part.y, clearPart.y));
@@ -188,7 +199,7 @@ vec4 compositeAlong(Ray ray, float dt, float jitter, out float depth) {
     walk.side = sideAt(at(ray, walk.from));
     walk.gradient = 0.0;
 #ifdef SEGMENTS
-    walk.clear = clearOfSegments(membershipsAt(at(ray, walk.from)));
+    walk.clear = clearAt(at(ray, walk.from));
 #endif
     do {
         // Look for the next turn that shows something.

@@ -18,13 +18,12 @@ FillWindow::Energies FillWindow::take(const Box3& box, const Limits& limits, con
         own = {&memberships_, limits.takesOnly};
     }
     sculpture_.limitTo(own);
+    sculpture_.texels().clear({glm::ivec3(0), box.size()}); // what was left there before
     Energies energies;
     energies.box = intersect(work({&sculpture_, box, nullptr}), box);
     if (!energies.box.isEmpty()) {
         energies.values = sculpture_.values({energies.box.lo - box.lo, energies.box.hi - box.lo});
     }
-    constexpr int tile = 8; // that tools work in: one that begins in the box may end beside it
-    sculpture_.texels().clear({glm::ivec3(0), glm::min(box.size() + tile, glm::ivec3(kSide))});
     return energies;
 }
 

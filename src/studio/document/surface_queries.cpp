@@ -39,9 +39,14 @@ std::optional<Probe> SurfaceQueries::probe(glm::dvec2 pixel, glm::ivec2 viewport
     Probe probe;
     probe.voxel = glm::dvec3(points.front().voxel);
     probe.world = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(probe.voxel, 1.0));
-    const std::uint8_t material = contents_.filled.fill->materialAt(probe.voxel);
-    probe.value = material != 0 ? contents_.filled.materials->at(material - 1U).value
-                                : interpolate(contents_.scan.volume, probe.voxel);
+    // A little behind the surface: on it rounding would decide.
+    const glm::dvec3 inwards =
+        glm::dmat3(geometry.voxelFromWorld()) * -glm::dvec3(points.front().normal) * geometry.stepMm();
+    const std::uint8_t material = contents_.filled.fill->materialAt(probe.voxel + 0.3 * inwards);
+    const bool isMaterial = material != 0 && contents_.filled.materials->at(material - 1U).isVisible &&
+                            contents_.view.sculptureView != field::SculptureView::Probe;
+    probe.value = isMaterial ? contents_.filled.materials->at(material - 1U).value
+                             : interpolate(contents_.scan.volume, probe.voxel);
     return probe;
 }
 

@@ -209,7 +209,7 @@ void CutEditor::remember(const Operation& operation, sculpt::SculptureDelta& cut
         },
         operation);
     Edit edit{shared(operation), {}, {}};
-    edit.isLimited = isLimited;
+    edit.isLimited = isLimited && !cut.isEmpty();
     contents_.history.makeRoom();
     if (auto trim = contents_.trimmed.follow(contents_.sculpture, cut, isTrim); !trim.isEmpty()) {
         contents_.sculpture.refresh(trim.box()); // parts that were drawn meanwhile were without it

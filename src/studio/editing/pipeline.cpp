@@ -253,6 +253,9 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
         filledCells_.update(cellRanges_.cells, field_->serial, fill_.shown(), frame.scene.materials);
         key.fill = fill_.shown();
         key.fillSerial = filledCells_.serial();
+        for (const field::ShownMaterial& material : frame.scene.materials) {
+            key.materials.emplace_back(material.value, material.isSeen ? 1 : 0);
+        }
     }
     refresh(cells_, key, state, frame, isSculpted ? &state.sculpture->cells() : nullptr,
             segmentation_ ? &*segmentation_ : nullptr);
@@ -395,6 +398,9 @@ const segment::Segmentation* Pipeline::segmentsOfParts(const State& state, const
 }
 
 void Pipeline::addParts(render::Frame& frame, Key key, const State& state) {
+    key.fill = nullptr; // parts are of the scan alone
+    key.fillSerial = 0;
+    key.materials.clear();
     const View& view = *state.view;
     const auto parts =
         pastedParts_.parts(*state.sculpture, *state.trimmed, *state.pasted, view.pasted.size());
@@ -416,7 +422,7 @@ void Pipeline::addParts(render::Frame& frame, Key key, const State& state) {
         refresh(stages.cells, key, state, frame, parts[i].cells, segmentation);
         render::PastedPart part{places[i], parts[i].texels, &stages.cells.macrocells};
         field::Scene scene = frame.scene;
-        scene.fill = nullptr; // parts are of the scan alone
+        scene.fill = nullptr;
         scene.sculpture = part.sculpture;
         if (key.drawsSegmentation) {
             scene.segmentation = part.segmentation = &segmentation->texels();

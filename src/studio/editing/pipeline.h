@@ -88,8 +88,9 @@ private:
         field::Sampling sampling = field::Sampling::Trilinear;
         double surfaceSmoothing = 0; // steps
         bool hasFinerSegments = false;
-        field::SharedFill fill = {};  // null: none is shown
-        std::uint64_t fillSerial = 0; // of the ranges with it
+        field::SharedFill fill = {};           // null: none is shown
+        std::uint64_t fillSerial = 0;          // of the ranges with it
+        std::vector<glm::vec2> materials = {}; // value, and 1 where they are seen
         bool operator==(const Key&) const = default;
     };
 

@@ -37,6 +37,9 @@ void FillEditor::remember(const Operation& operation, Filled after) {
 Outcome FillEditor::run(SetMaterial& op) {
     std::vector<Material> list = *contents_.filled.materials;
     const auto count = int(list.size());
+    if (op.number > field::kMostMaterials) {
+        throw Error("number: there can be {} materials, and no number {}", field::kMostMaterials, op.number);
+    }
     if (op.number > count + 1) {
         throw Error("number: there are {} materials, so that the next one is number {}, not {}", count,
                     count + 1, op.number);

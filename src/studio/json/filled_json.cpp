@@ -14,19 +14,26 @@ using FilledJson = nlohmann::ordered_json;
 
 constexpr std::size_t kNumbersOfBrick = 4; // place, and the three numbers of a shared list
 
-// What no fill has: material in a voxel that is not filled, or of a number that is not in the list.
-bool isPossible(const field::FillBrick& brick, std::size_t materials) {
+// No fill has material in a voxel that is not filled, or none in one that is.
+bool isPossible(const field::FillBrick& brick) {
     for (std::size_t i = 0; i < brick.filled.size(); ++i) {
-        const bool isFilled = brick.filled[i] > 0;
-        if (isFilled != (brick.material[i] != 0) || brick.material[i] > materials) {
+        if ((brick.filled[i] > 0) != (brick.material[i] != 0)) {
             return false;
         }
     }
     return !brick.isEmpty();
 }
 
-field::SharedFill readFill(StateReader& file, const JsonReader& from, glm::ivec3 dims,
-                           std::size_t materials) {
+std::size_t greatestMaterial(const field::Fill& fill) {
+    std::size_t greatest = 0;
+    for (const auto& [place, brick] : fill.bricks().entries()) {
+        greatest = std::max<std::size_t>(greatest,
+                                         *std::max_element(brick->material.begin(), brick->material.end()));
+    }
+    return greatest;
+}
+
+field::SharedFill readFill(StateReader& file, const JsonReader& from, glm::ivec3 dims) {
     return file.once<field::Fill>(from, [&] {
         constexpr std::size_t most = std::size_t(1) << 26;
         const auto numbers = file.list<std::uint64_t>(from, most);
@@ -44,8 +51,8 @@ field::SharedFill readFill(StateReader& file, const JsonReader& from, glm::ivec3
             }
             const FilledJson block{numbers[i + 1], numbers[i + 2], numbers[i + 3]};
             const auto list = file.shared<field::FillBrick>(JsonReader(block, from.place()), 1);
-            if (list->size() != 1 || !isPossible(list->front(), materials)) {
-                from.fail("must be bricks in which something is filled with materials of the list");
+            if (list->size() != 1 || !isPossible(list->front())) {
+                from.fail("must be bricks in which something is filled");
             }
             bricks.emplace_back(std::uint32_t(place), field::Fill::Bricks::Brick(list, &list->front()));
         }
@@ -75,7 +82,11 @@ Filled readFilled(StateReader& file, const JsonReader& from, glm::ivec3 dims) {
     Filled filled(dims);
     std::vector<Material> materials;
     vs::read(from.member("materials"), materials, {.mostCount = field::kMostMaterials});
-    filled.fill = readFill(file, from.member("fill"), dims, materials.size());
+    filled.fill = readFill(file, from.member("fill"), dims);
+    if (greatestMaterial(*filled.fill) > materials.size()) {
+        from.fail(
+            "must be filled with materials of the list"); // others may share the fill, with longer lists
+    }
     filled.materials = std::make_shared<const std::vector<Material>>(std::move(materials));
     return filled;
 }

@@ -157,8 +157,8 @@ std::optional<DocumentState> loadState(const std::filesystem::path& path, const 
             return decline("the session, its volume or where that lies has been changed since");
         }
         DocumentState state = readState(*file, volume.geometry.dims);
-        const auto hasCut = [](const SavedEdit& edit) { return edit.cut.has_value(); };
-        if (cutsFinest && (!state.cut.isEmpty() || state.growth ||
+        const auto hasCut = [](const SavedEdit& edit) { return edit.cut || edit.filledAfter; };
+        if (cutsFinest && (!state.cut.isEmpty() || state.growth || !state.filled.materials->empty() ||
                            std::any_of(state.done.begin(), state.done.end(), hasCut) ||
                            std::any_of(state.undone.begin(), state.undone.end(), hasCut))) {
             return decline("tools cut, and segments grow at, a finer level now than the one that it has");

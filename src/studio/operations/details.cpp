@@ -54,9 +54,7 @@ Phrase strokeSaid(const Stroke& stroke) {
 std::vector<Phrase> Fill::details() const {
     return {strokeSaid(stroke), say(VS_TEXT("library", "material %1"), material)};
 }
-std::vector<Phrase> FillHole::details() const {
-    return {say(VS_TEXT("library", "material %1"), material)};
-}
+std::vector<Phrase> FillHole::details() const { return {say(VS_TEXT("library", "material %1"), material)}; }
 std::vector<Phrase> SegmentFill::details() const {
     return {say(VS_TEXT("library", "material %1"), material)};
 }

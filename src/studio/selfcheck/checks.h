@@ -69,5 +69,7 @@ void checkSlices(Tally& tally);
 void checkBricks(Tally& tally);
 // Colours of marks between their texels are those that are interpolated on the CPU, after each edit.
 void checkMarks(Tally& tally);
+// How much places are filled, and with which material, is what is interpolated on the CPU, after each edit.
+void checkFill(Tally& tally);
 
 } // namespace vs::studio

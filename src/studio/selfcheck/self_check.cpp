@@ -42,6 +42,7 @@ constexpr StageCheck kStageChecks[] = {
     {"slices", checkSlices},
     {"bricks", checkBricks},
     {"marks", checkMarks},
+    {"fill", checkFill},
 };
 
 } // namespace

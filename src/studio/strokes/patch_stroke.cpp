@@ -17,7 +17,9 @@ namespace {
 constexpr double kRingSteps = 4;     // of surface around the outline that the patch goes on from, at least,
 constexpr double kRingPart = 0.08;   // and at least this part of the outline's width
 constexpr double kMostLooks = 90000; // pixels
-constexpr double kAdherence = 2;     // steps that the filling reaches into the hole's walls
+constexpr double kMostRing = 256;    // pixels
+constexpr std::size_t kMostVoxels = std::size_t(1) << 27; // in and about a hole
+constexpr double kAdherence = 2; // steps that the filling reaches into the hole's walls
 
 // The energy of a plane's radiation so many steps behind it.
 double energyBehind(double steps, int radius) {
@@ -176,10 +178,19 @@ PatchStroke::Hole PatchStroke::find(const std::vector<glm::dvec3>& seeds, const 
     if (hole.box.isEmpty()) {
         return hole;
     }
+    if (hole.box.volume() > kMostVoxels) {
+        throw Error(
+            "outline: the hole is {} voxels wide and deep, and may be {}: draw around less, or say how "
+            "deep it is to be filled",
+            hole.box.volume(), kMostVoxels);
+    }
     hole.depths.resize(hole.box.volume());
     std::vector<std::uint8_t> mayBeIn = emptyIn(hole.box);
     forEachVoxel(hole.box, [&](glm::ivec3 v, std::size_t n) {
         const glm::dvec3 world(geometry.worldFromVoxel * glm::dvec4(glm::dvec3(v), 1.0));
+        if (v.x == hole.box.lo.x && v.y == hole.box.lo.y) {
+            reportProgress(0.5 + 0.3 * double(n) / double(hole.depths.size()));
+        }
         const double depth = surface.depthOf(world);
         hole.depths[n] = float(depth);
         const bool isWithin =
@@ -235,6 +246,26 @@ std::vector<float> PatchStroke::energiesOf(const Hole& hole, double depthMm, int
     return energies;
 }
 
+double PatchStroke::stepPixels(const sculpt::Outline& outline) const {
+    const volume::GridGeometry& geometry = *cutter_->geometry;
+    std::vector<glm::vec2> pixels;
+    const std::size_t stride = outline.size() / 64 + 1;
+    for (std::size_t n = 0; n < outline.size(); n += stride) {
+        pixels.emplace_back(outline[n]);
+    }
+    const auto points = cutter_->pick(frame_, pixels);
+    double sum = 0;
+    int count = 0;
+    for (const field::SurfacePoint& point : points) {
+        if (point.voxel.w > 0.5F) {
+            const glm::dvec3 world(geometry.worldFromVoxel * glm::dvec4(glm::dvec3(point.voxel), 1.0));
+            sum += geometry.stepMm() / frame_.rays.pixelMm(world);
+            ++count;
+        }
+    }
+    return count > 0 ? sum / count : 1;
+}
+
 void PatchStroke::replay() {
     const FillHole& op = std::get<FillHole>(operation_);
     const volume::GridGeometry& geometry = *cutter_->geometry;
@@ -245,8 +276,8 @@ void PatchStroke::replay() {
     }
     const sculpt::MaskWindow window = sculpt::windowAround(outline);
     const double width = std::max(window.hi.x - window.lo.x, window.hi.y - window.lo.y);
-    const double stepPixels = geometry.stepMm() / frame_.rays.pixelMm(geometry.centreWorld());
-    const double ring = std::max({kRingSteps * stepPixels, kRingPart * width, 2.0});
+    const double ring =
+        std::clamp(std::max(kRingSteps * stepPixels(outline), kRingPart * width), 2.0, kMostRing);
     const sculpt::OutlineDistances distances = sculpt::outlineDistances(outline, ring + 2);
     if (distances.values.empty()) {
         return;

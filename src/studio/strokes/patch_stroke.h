@@ -45,6 +45,8 @@ private:
         }
     };
 
+    // How wide a step is in the picture where the surface under the outline is.
+    [[nodiscard]] double stepPixels(const sculpt::Outline& outline) const;
     [[nodiscard]] Seen look(const sculpt::OutlineDistances& outline, double ringPixels) const;
     // Places of the hole that are seen, just above its floor.
     [[nodiscard]] std::vector<glm::dvec3> seedsOf(const Seen& seen, const sculpt::PatchSurface& surface,

@@ -136,7 +136,7 @@ private:
         mouse_.release(kMiddle);
         look("island, reversed");
         studio.hand().tool().setReversed(false);
-        studio.hand().setBrushesSegment(true);
+        studio.hand().setTarget(Hand::Target::Segment);
         choose(tools.get<ScissorsTool>());
         sketch("scissors on a segment", Shape::FreeForm, "free-form");
         studio.hand().tool().setReversed(true);
@@ -152,7 +152,21 @@ private:
             w_.trigger(tool);
             look(std::string(tool) + ": locked segment");
         }
-        studio.hand().setBrushesSegment(false);
+        studio.hand().setTarget(Hand::Target::Material);
+        w_.trigger("drillTool");
+        look("drill on material: nothing drawn");
+        studio.hand().tool().setReversed(true);
+        look("drill on material, reversed: nothing drawn");
+        studio.hand().tool().setReversed(false);
+        studio.hand().setPicksValue(true);
+        look("drill on material: picking");
+        studio.hand().setPicksValue(false);
+        choose(tools.get<ScissorsTool>());
+        sketch("scissors on material", Shape::FreeForm, "free-form");
+        studio.hand().tool().setReversed(true);
+        sketch("scissors on material, reversed", Shape::FreeForm, "free-form");
+        studio.hand().tool().setReversed(false);
+        studio.hand().setTarget(Hand::Target::Scan);
         w_.trigger("drillTool");
         look("drill on the scan: locked segment");
     }

@@ -485,7 +485,15 @@ TEST_F(FillTest, IsSeenOnlyWhereItsValueIsAndWhenItIsShown) {
     document.apply(hidden);
     EXPECT_EQ(colourAt(both, redSide), '-');
     EXPECT_EQ(colourAt(both, blueSide), 'b');
+    const auto brightnessAt = [&](int x) {
+        const auto shown = picture(document, viewOf(render::Mode::Volume, {500, 1000}));
+        const std::uint8_t* p = pixelOf(shown, x, 150);
+        return int(p[0]) + p[1] + p[2];
+    };
+    EXPECT_LT(brightnessAt(redSide), 100) << "hidden in volume mode too";
+    EXPECT_GT(brightnessAt(blueSide), 200);
     document.apply(Undo{});
+    EXPECT_GT(brightnessAt(redSide), 200);
     EXPECT_EQ(colourAt(both, redSide), 'r');
     // Of what was cut, nothing: material is no part of that.
     document.apply(boxOf({0, 0, 0}, {10, 10, 10}));

@@ -42,8 +42,8 @@ public:
     bool endStroke(bool keep);
     // Does a whole stroke, to the scan or, if the tool acts on it, to the segment at work or to material.
     bool cut(const studio::Operation& stroke);
-    // A stroke as the operation that it is when the tool acts on material: the scissors' outline fills a hole.
-    // Else itself.
+    // A stroke as the operation that it is when the tool acts on material: the scissors' outline fills a
+    // hole. Else itself.
     [[nodiscard]] studio::Operation aimed(const studio::Operation& stroke) const;
     // Makes the material in hand if the tool is to fill with it and there is none yet. False: that failed.
     bool prepareMaterial();

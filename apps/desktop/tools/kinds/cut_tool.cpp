@@ -17,7 +17,8 @@ bool CutTool::actsOnMaterial() const {
 }
 
 bool CutTool::picksValue(const Pen& pen) {
-    if (!actsOnMaterial() || !studio_.hand().picksValue()) {
+    const bool isThere = studio_.hand().material() <= int(studio_.host().facts()->materials->size());
+    if (!actsOnMaterial() || !studio_.hand().picksValue() || !isThere) {
         return false;
     }
     studio_.hand().setPicksValue(false);

@@ -4,6 +4,7 @@
 #include "model/studio/studio_controller.h"
 #include "parts/colour_button.h"
 #include "parts/panel_parts.h"
+#include "studio/document/document.h"
 #include "tools/kinds/cut_tool.h"
 
 #include <QCheckBox>
@@ -15,6 +16,8 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace vs::desktop {
@@ -48,7 +51,6 @@ public:
         value_ = makeSpinBox(nameOf("MaterialValue").constData(),
                              CutTool::tr("Intensity of the material, as the scan's values are"));
         value_->setRange(-1e9, 1e9);
-        value_->setDecimals(1);
         auto* second = new QHBoxLayout;
         second->addWidget(value_, 1);
         pick_ = named(new QPushButton(CutTool::tr("Pick")), nameOf("MaterialPick").constData(),
@@ -103,6 +105,7 @@ public:
             if (!name_->hasFocus()) {
                 name_->setText(QString::fromStdString(material.name));
             }
+            value_->setDecimals(decimals());
             value_->setValue(material.value);
             visible_->setChecked(material.isVisible);
         } else {
@@ -111,6 +114,13 @@ public:
     }
 
 private:
+    // Floats: enough digits for a thousandth of the range.
+    [[nodiscard]] int decimals() const {
+        const auto& volume = studio_.host().document()->volume();
+        const bool isWhole = volume.type != volume::ScalarType::Float32;
+        const double width = std::max(volume.usual.width(), 1e-9);
+        return isWhole ? 1 : std::clamp(int(std::ceil(3 - std::log10(width))), 0, 8);
+    }
     void listen() {
         connect(list_, &QComboBox::activated, this, [this](int n) {
             studio_.hand().setMaterial(n + 1);

@@ -123,9 +123,9 @@ uint materialAt(vec3 p, bool wanted) {
 // How much a voxel is filled, and whether with something that is seen; exact.
 vec2 filledVoxel(ivec3 voxel) { return filledAt(vec3(voxel)); }
 
-// A value of the scan, or that of the material that is at p instead.
+// A value of the scan, or that of the material that is seen at p instead.
 float orMaterial(float value, vec3 p) {
-    bool isFilled = filledAt(p).x >= 0.5;
+    bool isFilled = filledAt(p).y >= 0.5;
     uint material = materialAt(p, isFilled);
     return isFilled ? materials[material].w : value;
 }

@@ -85,20 +85,26 @@ void Classification::keepGradients(const field::Field& field, double unit) {
     }
 }
 
-bool Classification::update(const TransferFunction& function, const field::Field& field) {
-    if (isWhole_ && serial_ == field.serial && function == function_) {
+bool Classification::update(const TransferFunction& function, const field::Field& field,
+                            std::span<const double> others) {
+    Range values = field.usual;
+    for (const double value : others) {
+        values = {std::min(values.lo, value), std::max(values.hi, value)};
+    }
+    if (isWhole_ && serial_ == field.serial && function == function_ && values == values_) {
         return false;
     }
     const gl::Pass pass("classification tables");
     isWhole_ = false;
     function_ = function;
     serial_ = field.serial;
+    values_ = values;
     forgetOthers(field);
     if (goesByGradients(function)) {
         keepGradients(field, gradientTop(field));
     }
     resolved_ = resolve(function, anchorsFor(function, field));
-    const auto tables = makeTables(resolved_, field.usual, field.geometry.stepMm());
+    const auto tables = makeTables(resolved_, values, field.geometry.stepMm());
     uploadTables(tables);
     writeBlock(tables, field);
     isWhole_ = true;

@@ -37,8 +37,10 @@ public:
     Classification();
 
     // Uploads the tables if function or field are others than last time; true if so. Relative positions are
-    // measured on the device, once for each field.
-    bool update(const TransferFunction& function, const field::Field& field);
+    // measured on the device, once for each field. `others` are values that are asked for too, of material
+    // that was added to the scan.
+    bool update(const TransferFunction& function, const field::Field& field,
+                std::span<const double> others = {});
 
     // A function with absolute positions on a field: what update() would upload.
     TransferFunction resolved(const TransferFunction& function, const field::Field& field) {
@@ -88,6 +90,7 @@ private:
     bool hasNoRoom_ = false; // for gradients_
 
     std::uint64_t serial_ = 0; // of the field that the tables were made for
+    Range values_;             // of the tables
     int version_ = 0;
     bool isWhole_ = false; // what was thrown in the midst of an update leaves some of it as it was
     std::size_t uploadedBytes_ = 0;

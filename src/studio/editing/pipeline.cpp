@@ -59,15 +59,21 @@ render::TransferFunction Pipeline::resolved(const render::TransferFunction& func
     return classification_->resolved(function, *field_);
 }
 
-const render::Classification* Pipeline::classify(const View& view) {
+const render::Classification* Pipeline::classify(const State& state) {
+    const View& view = *state.view;
     if (!view.transferFunction && view.mode != render::Mode::Volume) {
         return nullptr;
     }
     if (!classification_) {
         classification_.emplace();
     }
-    classification_->update(
-        view.transferFunction ? *view.transferFunction : render::functionOfRange(view.range), *field_);
+    std::vector<double> values;
+    for (const Material& material : *state.filled.materials) {
+        values.push_back(material.value);
+    }
+    classification_->update(view.transferFunction ? *view.transferFunction
+                                                  : render::functionOfRange(view.range),
+                            *field_, values);
     return &*classification_;
 }
 
@@ -201,7 +207,7 @@ render::SliceFrame Pipeline::slice(const State& state, const render::SliceView& 
     frame.tintsVisible = state.view->tintsSlices;
     frame.visible = state.view->visibleRange(field_->range);
     if (frame.tintsVisible && state.view->transferFunction) {
-        frame.classification = classify(*state.view);
+        frame.classification = classify(state);
     }
     frame.view = view;
     frame.detail = detailFor(state);
@@ -234,7 +240,7 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     frame.rays = render::viewRays(view.camera, field_->geometry, size);
     frame.mode = view.mode;
     frame.isInverted = view.isInverted;
-    frame.classification = classify(view);
+    frame.classification = classify(state);
     const bool byFunction = view.mode == render::Mode::Volume;
 
     Key key{view.visibleRange(field_->range),

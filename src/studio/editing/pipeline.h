@@ -164,7 +164,7 @@ private:
     [[nodiscard]] PictureContent contentOf(const State& state, const render::Frame& frame) const;
 
     // Brings the tables of the view's transfer function up to date; null if it has none and needs none.
-    const render::Classification* classify(const View& view);
+    const render::Classification* classify(const State& state);
 
     // Macrocells and what they were made from.
     struct Cells {

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kRingSteps = 4;     // of surface around the outline that the patch goes on from, at least,
 constexpr double kRingPart = 0.08;   // and at least this part of the outline's width
+constexpr double kLeastSteps = 0.75; // below the surface: shallower dents beside the hole are none of it
 constexpr double kMostLooks = 90000; // pixels
 constexpr double kMostRing = 256;    // pixels
 constexpr std::size_t kMostVoxels = std::size_t(1) << 27; // in and about a hole
@@ -121,7 +122,8 @@ std::vector<glm::dvec3> PatchStroke::seedsOf(const Seen& seen, const sculpt::Pat
     std::vector<glm::dvec3> seeds;
     // Above the floor, and no deeper than is filled.
     const auto add = [&](const glm::dvec3& floor, const glm::dvec3& direction, double depth) {
-        const double wanted = std::clamp(depth - step, 0.75 * step, std::max(depthMm - step, 0.75 * step));
+        const double least = (kLeastSteps + 0.5) * step; // whichever voxel is the nearest
+        const double wanted = std::clamp(depth - step, least, std::max(depthMm - step, least));
         const double cosine = std::max(-glm::dot(direction, surface.normal()), 0.2);
         seeds.push_back(floor - direction * (depth - wanted) / cosine);
     };
@@ -193,8 +195,8 @@ PatchStroke::Hole PatchStroke::find(const std::vector<glm::dvec3>& seeds, const 
         }
         const double depth = surface.depthOf(world);
         hole.depths[n] = float(depth);
-        const bool isWithin =
-            depth >= 0 && depth <= depthMm && insideOf(outline, frame_.rays.project(world)) >= 0;
+        const bool isWithin = depth >= kLeastSteps * step && depth <= depthMm &&
+                              insideOf(outline, frame_.rays.project(world)) >= 0;
         mayBeIn[n] = isWithin ? mayBeIn[n] : 0;
     });
     hole.isIn.assign(mayBeIn.size(), 0);

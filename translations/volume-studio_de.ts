@@ -3156,10 +3156,6 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
         <translation>Nimmt vom aktiven Segment weg oder fügt hinzu; der Scan bleibt, wie er ist</translation>
     </message>
     <message>
-        <source>Acts on</source>
-        <translation>Wirkt auf</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>

@@ -52,7 +52,7 @@ void addTarget(QFormLayout* form, CutTool& tool, StudioController& studio, const
                      [&studio, targets](int n) { studio.hand().setTarget(targets.at(std::size_t(n))); });
     QObject::connect(&studio.host(), &DocumentHost::changed, target,
                      [chosen, target] { target->choose(chosen()); });
-    form->addRow(CutTool::tr("Acts on"), target);
+    form->addRow(target); // three of them want all of the width
 }
 
 // What the two signs are called.

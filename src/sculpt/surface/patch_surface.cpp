@@ -20,7 +20,7 @@ constexpr int kMostCells = 128;     // along a side
 constexpr double kSmoothing = 0.12; // of the width, over which roughness is smoothed away; at least two cells
 constexpr std::size_t kFewest = 12; // places
 constexpr int kSides = 12;
-constexpr int kFewestSides = 8;
+constexpr int kFewestSides = 11;
 
 using Six = Eigen::Matrix<double, 6, 1>;
 
@@ -61,7 +61,7 @@ PatchSurface::PatchSurface(std::span<const glm::dvec3> around, const glm::dvec3&
     if (places.size() < kFewest || sidesOf(places) < kFewestSides) {
         fail();
     }
-    fitQuadric(places);
+    const std::vector<double> counting = fitQuadric(places);
     glm::dvec2 lo(1e300);
     glm::dvec2 hi(-1e300);
     for (const glm::dvec3& place : places) {
@@ -76,22 +76,24 @@ PatchSurface::PatchSurface(std::span<const glm::dvec3> around, const glm::dvec3&
     known.size = size_;
     known.heights.assign(std::size_t(size_.x) * std::size_t(size_.y), 0.0);
     known.weights = known.heights;
-    for (const glm::dvec3& place : places) {
-        const glm::ivec2 cell(glm::round((glm::dvec2(place) - first_) / cellMm_));
+    std::vector<int> counts(known.heights.size(), 0);
+    for (std::size_t n = 0; n < places.size(); ++n) {
+        const glm::ivec2 cell(glm::round((glm::dvec2(places[n]) - first_) / cellMm_));
         const std::size_t i = std::size_t(cell.y) * std::size_t(size_.x) + std::size_t(cell.x);
-        known.heights[i] += place.z - quadricAt(place);
-        known.weights[i] += 1;
+        known.heights[i] += counting[n] * (places[n].z - quadricAt(places[n]));
+        known.weights[i] += counting[n];
+        ++counts[i];
     }
     const double weight = std::pow(std::max(kSmoothing * widthMm_ / cellMm_, 2.0), -4.0);
     for (std::size_t i = 0; i < known.heights.size(); ++i) {
-        known.heights[i] /= std::max(known.weights[i], 1.0);
-        known.weights[i] = known.weights[i] > 0 ? weight : 0;
+        known.heights[i] /= std::max(known.weights[i], 1e-9);
+        known.weights[i] *= weight / std::max(counts[i], 1);
     }
     heights_ = thinPlate(known);
 }
 
 // Least squares in which places count less, the farther they are off (Cauchy's weights).
-void PatchSurface::fitQuadric(std::span<const glm::dvec3> inPlane) {
+std::vector<double> PatchSurface::fitQuadric(std::span<const glm::dvec3> inPlane) {
     constexpr int turns = 8;
     const double half = 0.5 * widthMm_;
     std::vector<double> off(inPlane.size(), 0.0);
@@ -117,6 +119,9 @@ void PatchSurface::fitQuadric(std::span<const glm::dvec3> inPlane) {
         std::nth_element(sorted.begin(), middle, sorted.end());
         usual = std::max(2 * *middle, 1e-3 * half);
     }
+    std::transform(off.begin(), off.end(), off.begin(),
+                   [usual](double far) { return 1 / (1 + far / usual * (far / usual)); });
+    return off;
 }
 
 double PatchSurface::quadricAt(glm::dvec2 place) const {

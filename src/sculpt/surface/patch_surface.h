@@ -31,7 +31,8 @@ public:
 private:
     void findPlane(std::span<const glm::dvec3> around, const glm::dvec3& outward);
     [[nodiscard]] glm::dvec3 inPlane(const glm::dvec3& place) const; // across, across, height; mm
-    void fitQuadric(std::span<const glm::dvec3> inPlane);
+    // Returns how much each place counts, at most 1.
+    std::vector<double> fitQuadric(std::span<const glm::dvec3> inPlane);
     [[nodiscard]] double quadricAt(glm::dvec2 place) const;
     [[nodiscard]] double at(int x, int y) const;
 

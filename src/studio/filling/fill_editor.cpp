@@ -12,7 +12,7 @@ namespace vs::studio {
 
 namespace {
 
-const glm::dvec3 kFirstColour{0.93, 0.90, 0.84}; // of what dentists fill with
+const glm::dvec3 kFirstColour{0.38, 0.66, 0.86}; // of no tissue, nor of the first segment
 
 // What a new material is like where nobody says.
 Material usual(int number, const View& view, const Range& values) {

@@ -36,8 +36,11 @@ TEST(ThinPlate, GoesOnWithHeightsAndSlopes) {
           Height([](double x, double y) { return 0.02 * x * y + 0.01 * (x * x - y * y); })}) {
         const PlateRaster known = ringOf(31, height);
         const auto plate = thinPlate(known);
-        for (int y = 3; y < 28; ++y) {
-            for (int x = 3; x < 28; ++x) {
+        for (int y = 0; y < 31; ++y) {
+            for (int x = 0; x < 31; ++x) {
+                if (std::hypot(x - 15, y - 15) > 13) { // beside the ring it is free
+                    continue;
+                }
                 // Quadratic surfaces bend evenly: a plate with their tangents is they themselves.
                 EXPECT_NEAR(plate[std::size_t(31 * y + x)], height(x - 15, y - 15), 0.05) << x << ", " << y;
             }

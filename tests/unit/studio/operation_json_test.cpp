@@ -128,6 +128,12 @@ std::vector<Operation> segmentOperations() {
     return operations;
 }
 
+template <typename Pen>
+Pen cutting(Pen pen) {
+    pen.restores = false;
+    return pen;
+}
+
 void expectComesBack(const Operation& operation) {
     const Json json = toJson(operation);
     const Operation back = operationFromJson(Json::parse(json.dump()), "test");
@@ -157,11 +163,11 @@ TEST(OperationJson, EveryKindComesBackAsItWas) {
         SetMaterial{2, "cement", glm::dvec3(0.5, 0.25, 1), 1200.5, false},
         SetMaterial{},
         Fill{3, Peel{ellipse, 12.75, 4, false, someCanvas()}},
-        Fill{1, Drill(someDrill())},
+        Fill{1, cutting(someDrill())},
         FillHole{2, ellipse, 12.5, 2, someCanvas()},
         FillHole{1, line},
         Unfill{Scissors{line, true, 12.5, 2, false, someCanvas()}},
-        Unfill{Laser(someLaser())},
+        Unfill{cutting(someLaser())},
         Unfill{Clip{Clip::Box{{1, 2, 3}, {4, 5, 6}}, {}, true}},
         RemoveFill{2},
         SegmentFill{2},

@@ -101,21 +101,25 @@ inline Operation AnyEdit::fill() const {
             tool);
         return Operation(op);
     };
-    switch (below(9)) {
+    switch (below(10)) {
     case 8:
-        return studio::SegmentFill{1 + below(2)};
+    case 9:
+        return studio::SegmentFill{1};
     case 0:
     case 1:
         return material;
     case 2:
         return with(studio::Unfill{});
     case 4: {
-        studio::FillHole hole{1 + below(2), ellipseAt(x, y, 20, 16)};
+        // Where the head is all around it.
+        studio::FillHole hole{1 + below(2), ellipseAt(185.0 + 5 * below(7), 120.0 + 5 * below(7), 12, 10)};
         hole.canvas = testCanvas();
         return hole;
     }
     case 3:
-        return below(2) == 0 ? Operation(studio::RemoveFill{1 + below(2)}) : Operation(studio::RemoveFill{});
+        return below(3) > 0    ? Operation(material)
+               : below(2) == 0 ? Operation(studio::RemoveFill{1 + below(2)})
+                               : Operation(studio::RemoveFill{});
     default:
         return with(studio::Fill{1 + below(2), {}});
     }
@@ -185,8 +189,9 @@ inline Operation AnyEdit::segmentWork() const {
 }
 
 inline Operation AnyEdit::edit() const {
-    switch (below(13)) {
+    switch (below(14)) {
     case 12:
+    case 13:
         return fill();
     case 0:
     case 1:

@@ -139,7 +139,7 @@ inline Operation AnyOperation::more() const {
 }
 
 inline Operation AnyOperation::output() const {
-    switch (below(4)) {
+    switch (below(7)) {
     case 0: {
         studio::SavePicture picture{"picture.png", {48, 36}, 1};
         picture.annotations = below(2) == 0;
@@ -149,16 +149,13 @@ inline Operation AnyOperation::output() const {
     case 1:
         return studio::SaveLabels{below(2) == 0 ? "labels.nrrd" : "labels.nii.gz"};
     case 2:
-        switch (below(4)) {
-        case 0:
-            return studio::SaveFill{"filled.nrrd"};
-        case 1:
-            return studio::SaveFillSurface{"filled.stl"};
-        case 2:
-            return studio::SaveMarks{"marks.nrrd"};
-        default:
-            return studio::SaveSculpture{"sculpture.nrrd"};
-        }
+        return studio::SaveFill{"filled.nrrd"};
+    case 3:
+        return studio::SaveFillSurface{"filled.stl"};
+    case 4:
+        return studio::SaveMarks{"marks.nrrd"};
+    case 5:
+        return studio::SaveSculpture{"sculpture.nrrd"};
     default: {
         studio::SaveMovie movie{"movie", {32, 24}, 10, 1};
         studio::Shot shot;

@@ -153,6 +153,8 @@ Operations filling() {
             SaveFillSurface{"filled.stl"},
             Unfill{penAt<Drill>(190, 120, 5)},
             Undo{},
+            RemoveFill{},
+            Undo{},
             smallPicture("filled.png")};
 }
 

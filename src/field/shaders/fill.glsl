@@ -54,13 +54,16 @@ uvec4 materialCorners(int word) {
 bool isSeen(uint material) { return ((fillSeen.x >> material) & 1u) != 0u; }
 vec4 areSeen(uvec4 material) { return vec4((uvec4(fillSeen.x) >> material) & 1u); }
 
-// How much of the corners of a cell counts at a place in it: of those with the lesser z (front) and the
+// What the corners of a cell add to how much a place in it is filled: those with the lesser z (front) and the
 // others.
-void weightsIn(FillCell cell, out vec4 front, out vec4 back) {
+void sharesIn(FillCell cell, out vec4 front, out vec4 back) {
     vec2 f = cell.part.xy;
     vec4 across = vec4(1.0 - f.x, f.x, 1.0 - f.x, f.x) * vec4(vec2(1.0 - f.y), vec2(f.y));
     front = across * (1.0 - cell.part.z);
     back = across * cell.part.z;
+    int word = cell.begin + 2 * cell.cell;
+    front *= filledCorners(word);
+    back *= filledCorners(word + 2 * kFillPlane);
 }
 
 // How much p is filled, by anything (x) and by what is seen (y); surfaces are at 0.5.
@@ -72,10 +75,7 @@ vec2 filledAt(vec3 p) {
     while (isLookedUp) {
         vec4 front;
         vec4 back;
-        weightsIn(cell, front, back);
-        int word = cell.begin + 2 * cell.cell;
-        front *= filledCorners(word);
-        back *= filledCorners(word + 2 * kFillPlane);
+        sharesIn(cell, front, back);
         filled.x = dot(front + back, vec4(1.0));
 #if FILLED == 1
         filled.y = filled.x;
@@ -101,10 +101,7 @@ uint materialAt(vec3 p, bool wanted) {
     while (isLookedUp) {
         vec4 front;
         vec4 back;
-        weightsIn(cell, front, back);
-        int word = cell.begin + 2 * cell.cell;
-        front *= filledCorners(word);
-        back *= filledCorners(word + 2 * kFillPlane);
+        sharesIn(cell, front, back);
         int materialWord = cell.begin + 2 * kFillCells + cell.cell;
         uvec4 inFront = materialCorners(materialWord);
         uvec4 behind = materialCorners(materialWord + kFillPlane);
@@ -119,9 +116,6 @@ uint materialAt(vec3 p, bool wanted) {
     }
     return material & 31u;
 }
-
-// How much a voxel is filled, and whether with something that is seen; exact.
-vec2 filledVoxel(ivec3 voxel) { return filledAt(vec3(voxel)); }
 
 // A value of the scan, or that of the material that is seen at p instead.
 float orMaterial(float value, vec3 p) {

@@ -90,6 +90,10 @@ bool useFilling(const Operation& operation, Use use) {
             fill->stroke);
         return true;
     }
+    if (const auto* hole = std::get_if<FillHole>(&operation)) {
+        use(*hole, {Cutter::Aim::At::Fill, std::uint8_t(hole->material)});
+        return true;
+    }
     if (const auto* unfill = std::get_if<Unfill>(&operation)) {
         std::visit([&](const auto& op) { use(op, Cutter::Aim{Cutter::Aim::At::Filled}); }, unfill->stroke);
         return true;
@@ -98,18 +102,11 @@ bool useFilling(const Operation& operation, Use use) {
 }
 
 void CutEditor::open(Cutter& cutter, const Operation& operation, const Cutter::Aim& aim) {
-    if (const auto* hole = std::get_if<FillHole>(&operation);
-        hole != nullptr && aim.at == Cutter::Aim::At::All) {
-        const Cutter::Aim its{Cutter::Aim::At::Fill, std::uint8_t(hole->material)};
-        checkFilling(its);
-        open(cutter, operation, its);
-        return;
-    }
-    const bool isFilling = useFilling(operation, [&](const auto& stroke, const Cutter::Aim& its) {
+    const auto aimAndOpen = [&](const auto& stroke, const Cutter::Aim& its) {
         checkFilling(its);
         open(cutter, stroke, its);
-    });
-    if (isFilling) {
+    };
+    if (aim.at == Cutter::Aim::At::All && useFilling(operation, aimAndOpen)) {
         return;
     }
     cutter.aim = aim;
@@ -291,15 +288,7 @@ Outcome CutEditor::fillAtOnce(Filling& op) {
             }
         },
         op.stroke);
-    begin(op);
-    try {
-        stroke_->replay();
-    } catch (...) {
-        discard();
-        throw;
-    }
-    op = std::get<Filling>(operation());
-    return finish();
+    return cutAtOnce(op);
 }
 
 Outcome CutEditor::run(Fill& op) { return fillAtOnce(op); }
@@ -318,7 +307,7 @@ Outcome CutEditor::cutAtOnce(Cut& op) {
         discard();
         throw;
     }
-    op = std::get<Cut>(stroke_->operation());
+    op = std::get<Cut>(operation());
     return finish();
 }
 
